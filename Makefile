@@ -1,0 +1,118 @@
+## RC², a ray-tracing cellular machine:  make TARGET [WORD=value ...]
+##
+## Targets
+##   help      this text, also what `make` alone prints
+##   setup     installs what is missing on a Debian 12; every target below but clean does it first
+##   build     the program, build/rc2 (try build/rc2 --help)
+##   sim       lights scenes on the machine: pictures, waveforms and report.html under out/
+##   test      every test; the last line is their summary
+##   lint      verilator -Wall, yosys on every module alone, clang-format, clang-tidy
+##   sanitize  the software's tests with address and undefined-behaviour sanitizers
+##   rtl       the Verilated array of side N, build/rtl/librc2_rtl_nN.so
+##   format    lays out the C++ files as lint wants them
+##   clean     removes build, build-sanitize and out
+##
+## Words for sim (N also for rtl)
+##   MACHINE=rtl    rtl, cycle (cycle model) or golden (no notion of time)
+##   N=16           cells per side; 128 on cycle and golden
+##   SCENE=         a file that Assimp reads, or empty, room, ball:R, shells:PERCENT:SEED,
+##                  dust:PERCENT:SEED; default: the room sw/scene/room.dae, then a duck
+##   LIGHT=         x,y,z[,r,g,b] in voxels; several between quotes; default: the scene's lights
+##   WAVES=on       on or off: waves.fst, of rtl only
+##   RULE=          which voxels a facet fills: armoured, naive, supercover, half, blindee
+##   F=             bits of fraction of a vertex
+##   L=             distance of the virtual faces that the light aims at
+##   FA=            depth of a cell's beam queue
+##   OUT=out        folder of the results
+##   A word left empty means the default of build/rc2 run --help. With MACHINE=rtl the same scene
+##   is also lit by the cycle model with 128 cells per side, for a picture worth looking at.
+##
+## Examples
+##   make sim
+##   make sim N=32 SCENE=/usr/share/assimp/models/OBJ/spider.obj WAVES=off
+##   make sim MACHINE=cycle N=256 SCENE=room LIGHT="100,40,200 20,20,240,1,0.5,0"
+##   RC2_SKIP_SETUP=1 make build        leaves the system's packages alone
+
+the_words := MACHINE N SCENE LIGHT WAVES RULE F L FA OUT
+
+# Plain assignments: the environment cannot change a word, the command line can.
+MACHINE := rtl
+N := $(if $(filter rtl,$(MACHINE)),16,128)
+SCENE :=
+LIGHT :=
+WAVES := $(if $(filter rtl,$(MACHINE)),on,off)
+RULE :=
+F :=
+L :=
+FA :=
+OUT := out
+
+# A misspelt word must not pass for a default.
+given := $(foreach word,$(MAKEOVERRIDES),$(if $(findstring =,$(word)),$(firstword $(subst =, ,$(word)))))
+unknown := $(filter-out $(the_words) RC2_SKIP_SETUP,$(given))
+$(if $(unknown),$(error no word $(unknown): `make help` lists them))
+$(if $(filter-out 1,$(words $(MACHINE)))$(filter-out rtl cycle golden,$(MACHINE)),\
+  $(error MACHINE=$(MACHINE): say rtl, cycle or golden))
+$(if $(filter-out 1,$(words $(WAVES)))$(filter-out on off,$(WAVES)),\
+  $(error WAVES=$(WAVES): say on or off))
+$(if $(filter on,$(WAVES)),$(if $(filter rtl,$(MACHINE)),,\
+  $(error WAVES=on: only MACHINE=rtl has signals to show)))
+ifeq ($(origin N),command line)
+$(if $(shell seq 2 1024 | grep -Fxe '$(N)'),,$(error N=$(N): say a whole number from 2 to 1024))
+endif
+
+# The words are passed on by name: nothing that make starts should meet a stray N, F or L.
+MAKEOVERRIDES :=
+unexport $(the_words)
+
+jobs := $(shell nproc)
+cmake_build := cmake --build build -j $(jobs) --target
+test_sizes := 4 5 8 16
+known_sizes := $(test_sizes) 32
+
+.PHONY: help setup build sim test lint sanitize rtl format clean
+.NOTPARALLEL:
+
+help:
+	@sed -n 's/^## \{0,1\}//p' Makefile
+
+setup:
+	@scripts/setup
+
+# Ninja configures again by itself when a CMake file changes.
+build/build.ninja: | setup
+	cmake --log-level=NOTICE -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release
+
+build-sanitize/build.ninja: | setup
+	cmake --log-level=NOTICE -S . -B build-sanitize -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo -DRC2_SANITIZE=ON
+
+build: build/build.ninja
+	$(cmake_build) rc2
+
+# A size that CMake does not know yet is named to it once.
+rtl: build/build.ninja
+	$(if $(filter $(N),$(known_sizes)),,@grep -qx 'RC2_RTL_EXTRA_SIZE:[A-Z]*=$(N)' build/CMakeCache.txt \
+	  || cmake --log-level=NOTICE -DRC2_RTL_EXTRA_SIZE=$(N) build)
+	$(cmake_build) rtl_n$(N)
+
+sim: build $(if $(filter rtl,$(MACHINE)),rtl)
+	@scripts/sim $(foreach word,$(the_words),'$(word)=$(subst ','\'',$($(word)))')
+
+test: build/build.ninja
+	$(cmake_build) all $(test_sizes:%=rtl_n%)
+	@scripts/test build
+
+# clang-tidy reads headers that the build generates.
+lint: build/build.ninja
+	$(cmake_build) all
+	@scripts/lint
+
+sanitize: build-sanitize/build.ninja
+	cmake --build build-sanitize -j $(jobs)
+	@scripts/test build-sanitize --label-exclude rtl
+
+format: setup
+	find sw sim tb -name '*.h' -o -name '*.cpp' | xargs -r clang-format -i
+
+clean:
+	rm -rf build build-sanitize out

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The voxel and illumination memories of one column (thesis 1.3), and their readback.
+//
+// occupied, lit: one register bit a voxel, all readable at once and cleared in one cycle, so
+// neither memory needs clearing: an owner means something where occupied, a count where lit.
+// Owner and count: RAM words. A count takes a new arrival every cycle, also at the same voxel: the
+// sum written in the cycle before is bypassed, as the RAM still shows the old one.
+//
+// Readback: while read_i asks, one word per occupied voxel in order of z (or one word that says
+// there is none), a word every second cycle, then read_done_o for one accepted cycle.
+
+module rc2_column (
+    input  logic                       clk_i,
+    input  logic                       rst_ni,
+    input  logic                       clear_i,         // forget all voxels
+    input  logic                       start_i,         // forget the light
+    output logic [     rc2_pkg::N-1:0] occupied_o,
+    // loading
+    output logic [rc2_pkg::FacetW-1:0] owner_o,         // of the address in the cycle before
+    input  logic [rc2_pkg::CoordW-1:0] owner_addr_i,
+    input  logic                       fill_i,
+    input  logic [rc2_pkg::CoordW-1:0] fill_z_i,
+    input  logic [rc2_pkg::FacetW-1:0] fill_owner_i,
+    // light: absorb_i announces an arrival at absorb_z_i, its number of targets follows
+    input  logic                       absorb_i,
+    input  logic [rc2_pkg::CoordW-1:0] absorb_z_i,
+    input  logic [ rc2_pkg::HomeW-1:0] area_i,          // one cycle after absorb_i
+    // counters
+    input  logic [rc2_pkg::ValueW-1:0] visits_i,
+    input  logic [rc2_pkg::QueueW-1:0] deepest_i,
+    // readback
+    input  logic                       read_i,
+    input  logic [                1:0] read_what_i,
+    output logic                       read_done_o,
+    input  logic                       read_done_taken_i,
+    output logic                       data_valid_o,
+    output logic                       data_last_o,
+    output rc2_pkg::data_t             data_o,
+    input  logic                       data_ready_i,
+    output logic                       busy_o
+);
+  localparam int unsigned N = rc2_pkg::N;
+  localparam int unsigned CoordW = rc2_pkg::CoordW;
+  localparam int unsigned HomeW = rc2_pkg::HomeW;
+  localparam int unsigned ValueW = rc2_pkg::ValueW;
+
+  logic [N-1:0] occupied_q, lit_q;
+  assign occupied_o = occupied_q;
+
+  // ---- Readback: which word ----------------------------------------------------------------------
+  logic reading_q, fetched_q, done_q, none_q;
+  logic [N-1:0] todo_q, first;
+  logic [CoordW-1:0] first_z;
+  assign first = todo_q & (~todo_q + 1'b1);
+  always_comb begin
+    first_z = '0;
+    for (int i = 0; i < N; i++) if (first[i]) first_z = first_z | CoordW'(i);
+  end
+
+  // ---- Owner ---------------------------------------------------------------------------------------
+  rc2_ram #(
+      .Width(rc2_pkg::FacetW),
+      .Depth(N)
+  ) u_owner (
+      .clk_i       (clk_i),
+      .write_i     (fill_i),
+      .write_addr_i(fill_z_i),
+      .write_data_i(fill_owner_i),
+      .read_addr_i (reading_q ? first_z : owner_addr_i),
+      .read_data_o (owner_o)
+  );
+
+  // ---- Targets that arrived --------------------------------------------------------------------------
+  logic arriving_q, bypass_q;
+  logic [CoordW-1:0] arriving_z_q;
+  logic [HomeW-1:0] count_read, count_before, count_sum, bypass_count_q;
+  rc2_ram #(
+      .Width(HomeW),
+      .Depth(N)
+  ) u_count (
+      .clk_i       (clk_i),
+      .write_i     (arriving_q),
+      .write_addr_i(arriving_z_q),
+      .write_data_i(count_sum),
+      .read_addr_i (reading_q ? first_z : absorb_z_i),
+      .read_data_o (count_read)
+  );
+  assign count_before = !lit_q[arriving_z_q] ? '0 : bypass_q ? bypass_count_q : count_read;
+  assign count_sum = count_before + area_i;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      arriving_q <= 1'b0;
+      occupied_q <= '0;
+      lit_q      <= '0;
+    end else begin
+      arriving_q <= absorb_i;
+      if (clear_i) occupied_q <= '0;
+      else if (fill_i) occupied_q[fill_z_i] <= 1'b1;
+      if (start_i) lit_q <= '0;
+      else if (arriving_q) lit_q[arriving_z_q] <= 1'b1;
+    end
+    arriving_z_q   <= absorb_z_i;
+    bypass_q       <= arriving_q && (absorb_z_i == arriving_z_q);
+    bypass_count_q <= count_sum;
+  end
+
+  // ---- Readback: the words -----------------------------------------------------------------------
+  logic counters, sent;
+  assign counters = (read_what_i == rc2_pkg::ReadCounters);
+  assign sent = fetched_q && data_ready_i;
+  assign data_valid_o = fetched_q;
+  assign data_last_o = none_q || (todo_q == first);
+  assign read_done_o = done_q;
+
+  always_comb begin
+    data_o.empty = none_q;
+    data_o.z     = first_z;
+    case (read_what_i)
+      rc2_pkg::ReadVoxels: data_o.value = ValueW'(owner_o);
+      rc2_pkg::ReadLight:  data_o.value = lit_q[first_z] ? ValueW'(count_read) : '0;
+      default:             data_o.value = (first_z == 0) ? visits_i : ValueW'(deepest_i);
+    endcase
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      reading_q <= 1'b0;
+      fetched_q <= 1'b0;
+      done_q    <= 1'b0;
+    end else begin
+      if (read_i && !reading_q && !done_q) reading_q <= 1'b1;
+      if (reading_q) fetched_q <= !sent;
+      if (sent && data_last_o) begin
+        reading_q <= 1'b0;
+        fetched_q <= 1'b0;
+        done_q    <= 1'b1;
+      end
+      if (read_done_taken_i) done_q <= 1'b0;
+    end
+    if (read_i && !reading_q) begin
+      todo_q <= counters ? N'(3) : occupied_q;
+      none_q <= !counters && (occupied_q == 0);
+    end else if (sent) begin
+      todo_q <= todo_q & ~first;
+    end
+  end
+
+  assign busy_o = arriving_q || reading_q || done_q;
+
+  // Contract: loading, light and readback never meet.
+  always_ff @(posedge clk_i) begin
+    if (rst_ni) begin
+      assert (!(fill_i && (absorb_i || reading_q)));
+      assert (!(absorb_i && reading_q));
+      assert (!(clear_i && fill_i) && !(start_i && arriving_q));
+      assert (!(absorb_i && !occupied_q[absorb_z_i]));
+    end
+  end
+endmodule

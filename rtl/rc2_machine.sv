@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The machine with its host port: AXI4-Lite for control, AXI4-Stream for packets and readback.
+//
+// Packets in (s_axis): one word of a packet per beat, tdata = {kind, payload} of rc2_pkg in the low
+// bits, tlast on the last word of a packet. A READ word is a packet of its own.
+// Readback (m_axis): one beat per word, tdata = {last word of its cell, data_t}, cells in order of
+// y, then x; a beat without meaning and with tlast set ends it.
+//
+// Registers (32 bits, byte addresses; read-only unless said):
+//   00 id "RC2" and layout version   04 n   08 f   0C LMAX   10 FAMAX
+//   14 bits of a packet word   18 bits of a readback word
+//   20 command, write 1: bit 0 forget the voxels, bit 1 start the light (only while idle)
+//   24 status: bit 0 busy, bit 1 all targets are home
+//   28 cycles in which the array was busy since the last command
+//   2C cycles from the last start until the last target came home   30 targets home
+//   40 xs   44 ys   48 zs   4C L   50 FA   54 24*L*L+2 (read and write, only while idle)
+
+module rc2_machine (
+    input  logic        clk_i,
+    input  logic        rst_ni,
+    // AXI4-Lite
+    input  logic        s_axil_awvalid,
+    output logic        s_axil_awready,
+    input  logic [ 6:0] s_axil_awaddr,
+    input  logic        s_axil_wvalid,
+    output logic        s_axil_wready,
+    input  logic [31:0] s_axil_wdata,
+    output logic        s_axil_bvalid,
+    input  logic        s_axil_bready,
+    output logic [ 1:0] s_axil_bresp,
+    input  logic        s_axil_arvalid,
+    output logic        s_axil_arready,
+    input  logic [ 6:0] s_axil_araddr,
+    output logic        s_axil_rvalid,
+    input  logic        s_axil_rready,
+    output logic [31:0] s_axil_rdata,
+    output logic [ 1:0] s_axil_rresp,
+    // AXI4-Stream: packets
+    input  logic        s_axis_tvalid,
+    output logic        s_axis_tready,
+    input  logic [PacketW-1:0] s_axis_tdata,
+    input  logic        s_axis_tlast,
+    // AXI4-Stream: readback
+    output logic        m_axis_tvalid,
+    input  logic        m_axis_tready,
+    output logic [ReadW-1:0] m_axis_tdata,
+    output logic        m_axis_tlast
+);
+  // A stream's width is a whole number of bytes.
+  localparam int unsigned PacketW = 8 * ((rc2_pkg::HostWordW - 1 + 7) / 8);
+  localparam int unsigned ReadW = 8 * ((rc2_pkg::DataW + 1 + 7) / 8);
+  localparam int unsigned HomeW = rc2_pkg::HomeW;
+  localparam logic [31:0] Id = 32'h52433201;
+
+  // ---- The array -----------------------------------------------------------------------------
+  logic clear_q, start_q, busy;
+  rc2_pkg::light_t light_q;
+  logic word_valid;
+  logic [rc2_pkg::RowWordW-1:0] word;
+  logic [HomeW-1:0] home;
+  rc2_array u_array (
+      .clk_i       (clk_i),
+      .rst_ni      (rst_ni),
+      .clear_i     (clear_q),
+      .start_i     (start_q),
+      .light_i     (light_q),
+      .word_valid_i(s_axis_tvalid),
+      .word_i      ({s_axis_tlast, s_axis_tdata[rc2_pkg::HostWordW-2:0]}),
+      .word_ready_o(s_axis_tready),
+      .word_valid_o(word_valid),
+      .word_o      (word),
+      .word_ready_i(m_axis_tready),
+      .home_o      (home),
+      .busy_o      (busy)
+  );
+  assign m_axis_tvalid = word_valid;
+  assign m_axis_tlast = (word[rc2_pkg::RowWordW-2-:2] == rc2_pkg::KindRead);
+  assign m_axis_tdata = ReadW'({word[rc2_pkg::RowWordW-1], word[rc2_pkg::DataW-1:0]});
+
+  // ---- Registers: write ------------------------------------------------------------------------
+  logic write;
+  logic [HomeW-1:0] targets_q;
+  assign write = s_axil_awvalid && s_axil_wvalid && !s_axil_bvalid;
+  assign s_axil_awready = write;
+  assign s_axil_wready = write;
+  assign s_axil_bresp = 2'b00;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      s_axil_bvalid <= 1'b0;
+      clear_q       <= 1'b0;
+      start_q       <= 1'b0;
+      light_q       <= '0;
+      targets_q     <= '0;
+    end else begin
+      s_axil_bvalid <= write || (s_axil_bvalid && !s_axil_bready);
+      clear_q       <= write && (s_axil_awaddr == 7'h20) && s_axil_wdata[0];
+      start_q       <= write && (s_axil_awaddr == 7'h20) && s_axil_wdata[1];
+      if (write) begin
+        case (s_axil_awaddr)
+          7'h40:   light_q.xs <= s_axil_wdata[rc2_pkg::CoordW-1:0];
+          7'h44:   light_q.ys <= s_axil_wdata[rc2_pkg::CoordW-1:0];
+          7'h48:   light_q.zs <= s_axil_wdata[rc2_pkg::CoordW-1:0];
+          7'h4C:   light_q.distance <= s_axil_wdata[rc2_pkg::DistanceW-1:0];
+          7'h50:   light_q.fa <= s_axil_wdata[rc2_pkg::QueueW-1:0];
+          7'h54:   targets_q <= s_axil_wdata[HomeW-1:0];
+          default: ;
+        endcase
+      end
+    end
+  end
+
+  // ---- What happened ---------------------------------------------------------------------------
+  logic [31:0] busy_cycles_q, since_q, home_cycle_q;
+  logic [HomeW-1:0] home_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      busy_cycles_q <= '0;
+      since_q       <= '0;
+      home_cycle_q  <= '0;
+      home_q        <= '0;
+    end else begin
+      since_q <= start_q ? 32'd1 : since_q + 1'b1;
+      if (clear_q || start_q) busy_cycles_q <= '0;
+      else if (busy) busy_cycles_q <= busy_cycles_q + 1'b1;
+      if (start_q) begin
+        home_q       <= '0;
+        home_cycle_q <= '0;
+      end else if (home != 0) begin
+        home_q       <= home_q + home;
+        home_cycle_q <= since_q + 1'b1;
+      end
+    end
+  end
+
+  // ---- Registers: read -------------------------------------------------------------------------
+  logic read;
+  assign read = s_axil_arvalid && !s_axil_rvalid;
+  assign s_axil_arready = read;
+  assign s_axil_rresp = 2'b00;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) s_axil_rvalid <= 1'b0;
+    else s_axil_rvalid <= read || (s_axil_rvalid && !s_axil_rready);
+    if (read) begin
+      case (s_axil_araddr)
+        7'h00:   s_axil_rdata <= Id;
+        7'h04:   s_axil_rdata <= rc2_pkg::N;
+        7'h08:   s_axil_rdata <= rc2_pkg::F;
+        7'h0C:   s_axil_rdata <= rc2_pkg::LMAX;
+        7'h10:   s_axil_rdata <= rc2_pkg::FAMAX;
+        7'h14:   s_axil_rdata <= rc2_pkg::HostWordW - 1;
+        7'h18:   s_axil_rdata <= rc2_pkg::DataW + 1;
+        7'h24:   s_axil_rdata <= {30'd0, (home_q == targets_q), busy};
+        7'h28:   s_axil_rdata <= busy_cycles_q;
+        7'h2C:   s_axil_rdata <= home_cycle_q;
+        7'h30:   s_axil_rdata <= 32'(home_q);
+        7'h40:   s_axil_rdata <= 32'(light_q.xs);
+        7'h44:   s_axil_rdata <= 32'(light_q.ys);
+        7'h48:   s_axil_rdata <= 32'(light_q.zs);
+        7'h4C:   s_axil_rdata <= 32'(light_q.distance);
+        7'h50:   s_axil_rdata <= 32'(light_q.fa);
+        7'h54:   s_axil_rdata <= 32'(targets_q);
+        default: s_axil_rdata <= '0;
+      endcase
+    end
+  end
+
+  // Contract: no command while the array works; no target comes home twice; a beat stays.
+  logic waiting_q;
+  logic [ReadW-1:0] beat_q;
+  always_ff @(posedge clk_i) begin
+    waiting_q <= rst_ni && m_axis_tvalid && !m_axis_tready;
+    beat_q    <= m_axis_tdata;
+    if (rst_ni) begin
+      assert (!((clear_q || start_q) && busy));
+      assert (!waiting_q || (m_axis_tvalid && m_axis_tdata == beat_q));
+      assert (home == 0 || home_q + home <= targets_q);
+    end
+  end
+endmodule

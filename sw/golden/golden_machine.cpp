@@ -1,0 +1,55 @@
+#include "sw/golden/golden_machine.h"
+
+#include "sw/golden/diffuse.h"
+#include "sw/golden/voxelise.h"
+#include "sw/machine/checks.h"
+
+namespace rc2::golden {
+
+GoldenMachine::GoldenMachine(const MachineConfig& config)
+    : config_(checked(config)), grid_(config.n) {}
+
+LoadResult GoldenMachine::load(const facet::PacketStream& packets, const Progress& progress) {
+  check_packets(config_, packets);
+
+  grid_.clear();
+  for (std::size_t i = 0; i < packets.heads.size(); ++i) {
+    const facet::PacketHead& packet = packets.heads[i];
+    fill_facet(grid_, packet, &packets.bounds[packet.first_bound]);
+    if (progress && i % 4096 == 0) {
+      progress("load", 0, static_cast<double>(i) / static_cast<double>(packets.heads.size()));
+    }
+  }
+  number_voxels();
+  arrived_.assign(voxels_.size(), 0);
+  return {};
+}
+
+void GoldenMachine::number_voxels() {
+  voxels_.clear();
+  for (glm::ivec3 at{0}; at.z < config_.n; ++at.z) {
+    for (at.y = 0; at.y < config_.n; ++at.y) {
+      for (at.x = 0; at.x < config_.n; ++at.x) {
+        std::uint32_t& voxel = grid_[grid_.index(at)];
+        if (voxel == Grid::kFree) continue;
+        voxels_.push_back({at, voxel});
+        voxel = static_cast<std::uint32_t>(voxels_.size() - 1);
+      }
+    }
+  }
+}
+
+LightResult GoldenMachine::light(const LightJob& job, const Progress& progress) {
+  check_light(config_, job);
+  const std::uint32_t source_voxel = grid_[grid_.index(job.source)];
+  if (source_voxel != Grid::kFree) refuse_occupied_source(job, voxels_[source_voxel].facet);
+
+  arrived_.assign(voxels_.size(), 0);
+  const Diffusion diffusion = diffuse(grid_, job.source, job.target_distance, arrived_, progress);
+  LightResult result;
+  result.visits = diffusion.visits;
+  result.targets = diffusion.targets;
+  return result;
+}
+
+}  // namespace rc2::golden

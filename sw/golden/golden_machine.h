@@ -1,0 +1,39 @@
+// The machine without time or cells: one facet after another, one ray after another.
+//
+// Every other machine is compared with this one, so it shares nothing with them but types.
+#pragma once
+
+#include "sw/golden/grid.h"
+#include "sw/machine/machine.h"
+
+namespace rc2::golden {
+
+class GoldenMachine : public Machine {
+ public:
+  /// An empty machine; takes 4(n+2)^3 bytes. Throws Error if the configuration is out of range.
+  explicit GoldenMachine(const MachineConfig& config);
+
+  const MachineConfig& config() const override { return config_; }
+
+  /// The machine is left as it was if a packet is out of range.
+  LoadResult load(const facet::PacketStream& packets, const Progress& progress) override;
+
+  /// Throws Error if the source is not a free voxel of the cube, or if L or FA is not in
+  /// 1 .. the machine's maximum.
+  LightResult light(const LightJob& job, const Progress& progress) override;
+
+  VoxelMemory read_voxels() override { return voxels_; }
+  LightMemory read_light() override { return arrived_; }
+
+ private:
+  // Lists the occupied voxels in the order of every dump and puts into the grid, in place of the
+  // owner's number, that of the voxel: where to count the rays that end there.
+  void number_voxels();
+
+  MachineConfig config_;
+  Grid grid_;
+  VoxelMemory voxels_;
+  LightMemory arrived_;
+};
+
+}  // namespace rc2::golden

@@ -1,0 +1,27 @@
+// What every machine refuses, in the same words: sizes, packets and jobs out of range.
+#pragma once
+
+#include <cstdint>
+
+#include "sw/machine/machine.h"
+
+namespace rc2 {
+
+/// Largest distance L: a target fits in 16 bits, and the (L+1)^2 rays that may meet in one voxel
+/// fit in 32.
+constexpr int kMaxDistance = (1 << 15) - 1;
+
+/// Throws Error if no machine can have this size.
+const MachineConfig& checked(const MachineConfig& config);
+
+/// Throws Error unless the registers of the machine hold every packet, at every cell of its box.
+/// What passes cannot overflow 64 bits anywhere.
+void check_packets(const MachineConfig& config, const facet::PacketStream& stream);
+
+/// Throws Error if the source is outside the cube, or L or FA is not in 1 .. the machine's maximum.
+void check_light(const MachineConfig& config, const LightJob& job);
+
+/// Throws the Error of a source whose voxel belongs to facet `owner`.
+[[noreturn]] void refuse_occupied_source(const LightJob& job, std::uint32_t owner);
+
+}  // namespace rc2

@@ -1,0 +1,83 @@
+// The one interface through which a host runs RC2, whatever the machine is made of.
+//
+// Three implementations exist: golden (sw/golden, no notion of time), cycle (sw/cycle, register
+// true) and rtl (sim, the Verilated array). A regression is the same job on two of them.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sw/facet/packet.h"
+#include "sw/base/config.h"
+#include "sw/base/error.h"
+
+namespace rc2 {
+
+/// One light's diffusion (thesis 4.3): source voxel, distance L of the virtual faces, depth of FA.
+struct LightJob {
+  glm::ivec3 source;
+  int target_distance;
+  int fa;
+};
+
+/// Number of targets of one source: the surface of the cube of half-side L, each edge once.
+constexpr std::int64_t total_targets(std::int64_t target_distance) {
+  return 24 * target_distance * target_distance + 2;
+}
+
+/// Where the targets of one source went. Conservation: absorbed + escaped + skipped = total.
+struct TargetCount {
+  std::int64_t total = 0, absorbed = 0, escaped = 0, skipped = 0;
+};
+
+struct LoadResult {
+  std::int64_t cycles = 0;  ///< first word accepted .. last register at rest; 0 on golden
+};
+
+struct LightResult {
+  std::int64_t cycles = 0;       ///< start .. last busy cycle of any cell; 0 on golden
+  std::int64_t home_cycles = 0;  ///< start .. last target counted home at the root; 0 on golden
+  std::int64_t visits = 0;       ///< beams served by all cells (golden: voxels examined by rays)
+  std::int64_t merged = 0;       ///< beams that were merged into another
+  std::int64_t max_queue = 0;    ///< deepest FA seen in any cell; 0 on golden
+  TargetCount targets;
+};
+
+/// An occupied voxel and the facet that owns it.
+struct VoxelRecord {
+  glm::ivec3 at;
+  std::uint32_t facet;
+};
+
+/// Occupied voxels sorted by z, then y, then x: the order of every dump.
+using VoxelMemory = std::vector<VoxelRecord>;
+
+/// Targets that arrived at each occupied voxel, in the order of VoxelMemory.
+using LightMemory = std::vector<std::uint32_t>;
+
+/// Called now and then during a long step: the step's name, cycles so far, share done (0..1).
+using Progress = std::function<void(const char* step, std::int64_t cycles, double share)>;
+
+class Machine {
+ public:
+  virtual ~Machine() = default;
+
+  virtual const MachineConfig& config() const = 0;
+
+  /// Empties the machine and loads the packets. Throws Error if a packet is out of its range.
+  virtual LoadResult load(const facet::PacketStream& packets, const Progress& progress) = 0;
+
+  /// Forgets the previous light and diffuses this one. The source voxel must be free.
+  virtual LightResult light(const LightJob& job, const Progress& progress) = 0;
+
+  virtual VoxelMemory read_voxels() = 0;
+
+  /// What the last light() left behind, in the order of read_voxels().
+  virtual LightMemory read_light() = 0;
+};
+
+}  // namespace rc2

@@ -1,0 +1,89 @@
+#include "sw/picture/render.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <optional>
+
+namespace rc2::picture {
+namespace {
+
+constexpr glm::vec3 kBackground(0.010F, 0.013F, 0.022F);
+constexpr glm::vec3 kAmbient(0.12F);
+constexpr glm::vec3 kTowardsViewer(0, 0, 1);
+
+glm::vec3 reflected(const scene::Material& material, glm::vec3 normal, glm::vec3 to_lamp) {
+  const float facing = glm::dot(normal, to_lamp);
+  if (facing <= 0) return glm::vec3(0);
+  glm::vec3 share = material.diffuse * facing;
+  if (material.shininess > 0) {
+    const glm::vec3 half = glm::normalize(to_lamp + kTowardsViewer);
+    share +=
+        material.specular * std::pow(std::max(0.0F, glm::dot(normal, half)), material.shininess);
+  }
+  return share;
+}
+
+}  // namespace
+
+Image render(int n, const VoxelMemory& voxels, const std::vector<Lamp>& lamps,
+             const std::vector<facet::FacetInfo>& facets,
+             const std::vector<scene::Material>& materials) {
+  for (const Lamp& lamp : lamps) {
+    if (lamp.arrived.size() != voxels.size()) {
+      throw Error(
+          fmt::format("a light memory of {} voxels does not belong to a voxel memory of "
+                      "{}: read both from the machine after the same load",
+                      lamp.arrived.size(), voxels.size()));
+    }
+  }
+
+  Image image;
+  image.n = n;
+  const std::size_t pixels = static_cast<std::size_t>(n) * static_cast<std::size_t>(n);
+  image.colour.assign(pixels, kBackground);
+  image.depth.assign(pixels, std::numeric_limits<float>::infinity());
+  image.normal.assign(pixels, glm::vec3(0));
+  image.facet.assign(pixels, Image::kNoFacet);
+  image.lights.assign(lamps.size(), std::vector<std::uint32_t>(pixels, 0));
+
+  std::vector<std::optional<std::size_t>> foremost(pixels);
+  for (std::size_t i = 0; i < voxels.size(); ++i) {
+    auto& seen = foremost[image.pixel(voxels[i].at.x, voxels[i].at.y)];
+    if (!seen || voxels[*seen].at.z < voxels[i].at.z) seen = i;
+  }
+
+  for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
+    if (!foremost[pixel]) continue;
+    const VoxelRecord& voxel = voxels[*foremost[pixel]];
+    if (voxel.facet >= facets.size() || facets[voxel.facet].material >= materials.size()) {
+      throw Error(
+          fmt::format("voxel ({},{},{}) belongs to facet {}, of which the scene knows no "
+                      "normal or material: load the machine with this scene",
+                      voxel.at.x, voxel.at.y, voxel.at.z, voxel.facet));
+    }
+    const facet::FacetInfo& facet = facets[voxel.facet];
+    const scene::Material& material = materials[facet.material];
+    const glm::vec3 normal = facet.normal.z < 0 ? -facet.normal : facet.normal;
+
+    glm::vec3 colour = material.emission + material.diffuse * kAmbient;
+    for (std::size_t k = 0; k < lamps.size(); ++k) {
+      const std::uint32_t arrived = lamps[k].arrived[*foremost[pixel]];
+      image.lights[k][pixel] = arrived;
+      if (arrived == 0) continue;
+      const glm::vec3 to_lamp(lamps[k].voxel - voxel.at);
+      const float relative_distance = glm::length(to_lamp) / static_cast<float>(n);
+      colour += reflected(material, normal, glm::normalize(to_lamp)) * lamps[k].colour /
+                (1 + relative_distance * relative_distance);
+    }
+    image.colour[pixel] = colour;
+    image.depth[pixel] = static_cast<float>(n) - 0.5F - static_cast<float>(voxel.at.z);
+    image.normal[pixel] = normal;
+    image.facet[pixel] = voxel.facet;
+  }
+  return image;
+}
+
+}  // namespace rc2::picture

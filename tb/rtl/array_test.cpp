@@ -1,0 +1,186 @@
+// The whole array against the other two machines: the same job on RTL, cycle model and golden model
+// gives the same voxels, owners and target counts; and RTL and cycle model take the same cycles.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <random>
+#include <string>
+
+#include "sim/rtl_machine.h"
+#include "sw/cycle/cycle_machine.h"
+#include "sw/facet/facet.h"
+#include "sw/golden/golden_machine.h"
+#include "sw/scene/scene.h"
+
+namespace rc2 {
+namespace {
+
+const Progress kQuiet = [](const char*, std::int64_t, double) {};
+
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : engine_(seed) {}
+  int in(int low, int high) {
+    return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1));
+  }
+  double real(double low, double high) { return low + (high - low) * in(0, 1 << 20) / (1 << 20); }
+  bool chance(int percent) { return in(0, 99) < percent; }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+/// The three machines of one size. The Verilated one is made once and used by every test.
+struct Machines {
+  explicit Machines(int n)
+      : rtl(make_rtl_machine(n, {})), golden(rtl->config()), cycle(rtl->config()) {}
+  std::unique_ptr<Machine> rtl;
+  golden::GoldenMachine golden;
+  cycle::CycleMachine cycle;
+};
+
+Machines& machines_of(int n) {
+  static std::map<int, std::unique_ptr<Machines>> made;
+  auto& machines = made[n];
+  if (machines == nullptr) machines = std::make_unique<Machines>(n);
+  return *machines;
+}
+
+bool same(const VoxelMemory& a, const VoxelMemory& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const VoxelRecord& l, const VoxelRecord& r) {
+                      return l.at == r.at && l.facet == r.facet;
+                    });
+}
+
+void load_everywhere(Machines& machines, const facet::PacketStream& packets) {
+  machines.golden.load(packets, kQuiet);
+  const LoadResult cycle = machines.cycle.load(packets, kQuiet);
+  const LoadResult rtl = machines.rtl->load(packets, kQuiet);
+  ASSERT_TRUE(same(machines.rtl->read_voxels(), machines.golden.read_voxels()));
+  ASSERT_TRUE(same(machines.cycle.read_voxels(), machines.golden.read_voxels()));
+  ASSERT_EQ(rtl.cycles, cycle.cycles);
+}
+
+void light_everywhere(Machines& machines, const LightJob& job) {
+  const LightResult golden = machines.golden.light(job, kQuiet);
+  const LightResult cycle = machines.cycle.light(job, kQuiet);
+  const LightResult rtl = machines.rtl->light(job, kQuiet);
+  ASSERT_EQ(machines.rtl->read_light(), machines.golden.read_light());
+  ASSERT_EQ(machines.cycle.read_light(), machines.golden.read_light());
+  ASSERT_EQ(rtl.targets.absorbed, golden.targets.absorbed);
+  ASSERT_EQ(rtl.targets.escaped, golden.targets.escaped);
+  ASSERT_EQ(rtl.cycles, cycle.cycles);
+  ASSERT_EQ(rtl.home_cycles, cycle.home_cycles);
+  ASSERT_EQ(rtl.visits, cycle.visits);
+  ASSERT_EQ(rtl.max_queue, cycle.max_queue);
+}
+
+/// A few random triangles and plates: large, small, slivers, edge-on and axis-aligned.
+scene::Scene random_scene(Random& random, int n) {
+  scene::Scene scene;
+  scene.materials.emplace_back();
+  const double side = n - 1;
+  const int polygons = random.in(0, 8);
+  for (int i = 0; i < polygons; ++i) {
+    glm::dvec3 corner(random.real(0, side), random.real(0, side), random.real(0, side));
+    if (random.chance(30)) corner = glm::round(corner * 2.0) * 0.5;
+    const double reach = random.chance(50) ? side : 2.0;
+    const auto edge = [&] {
+      glm::dvec3 e(random.real(-reach, reach), random.real(-reach, reach), random.real(-reach, reach));
+      if (random.chance(30)) e[random.in(0, 2)] = 0;
+      if (random.chance(20)) e *= 0.02;
+      return e;
+    };
+    const auto inside = [&](glm::dvec3 p) { return glm::clamp(p, 0.0, side); };
+    const glm::dvec3 e1 = edge();
+    const glm::dvec3 e2 = edge();
+    scene.add({inside(corner), inside(corner + e1), inside(corner + e2)}, 0);
+  }
+  return scene;
+}
+
+/// A free voxel: anywhere, in a corner, or beside a surface. False if the cube is full.
+bool pick_source(Random& random, int n, const VoxelMemory& voxels, glm::ivec3& source) {
+  const auto free = [&](glm::ivec3 p) {
+    return std::none_of(voxels.begin(), voxels.end(), [&](const VoxelRecord& v) { return v.at == p; });
+  };
+  const int kind = random.in(0, 2);
+  for (int attempt = 0; attempt < 1000; ++attempt) {
+    glm::ivec3 p(random.in(0, n - 1), random.in(0, n - 1), random.in(0, n - 1));
+    if (kind == 1 && attempt < 8) p = glm::ivec3(p.x % 2, p.y % 2, p.z % 2) * (n - 1);
+    if (kind == 2 && !voxels.empty() && attempt < 100) {
+      p = voxels[static_cast<std::size_t>(random.in(0, static_cast<int>(voxels.size()) - 1))].at;
+      p[random.in(0, 2)] += random.chance(50) ? 1 : -1;
+      p = glm::clamp(p, 0, n - 1);
+    }
+    if (!free(p)) continue;
+    source = p;
+    return true;
+  }
+  return false;
+}
+
+class RandomScenes : public testing::TestWithParam<std::pair<int, int>> {};
+
+TEST_P(RandomScenes, AgreeOnAllThreeMachines) {
+  const auto [n, scenes] = GetParam();
+  Machines& machines = machines_of(n);
+  Random random(static_cast<std::uint64_t>(n));
+  constexpr std::array kRules{facet::Rule::armoured, facet::Rule::naive, facet::Rule::supercover,
+                              facet::Rule::half, facet::Rule::blindee};
+  for (int i = 0; i < scenes; ++i) {
+    SCOPED_TRACE("scene " + std::to_string(i));
+    const int f = random.in(0, machines.rtl->config().fraction_bits);
+    const auto rule = kRules[static_cast<std::size_t>(random.in(0, 4))];
+    const auto facets = facet::build_facets(random_scene(random, n), n, f, rule);
+    ASSERT_NO_FATAL_FAILURE(load_everywhere(machines, facets.packets));
+    glm::ivec3 source;
+    for (int light = 0; light < 2; ++light) {
+      if (!pick_source(random, n, machines.golden.read_voxels(), source)) continue;
+      const int fa = random.chance(30) ? 1 : random.in(1, 32);
+      ASSERT_NO_FATAL_FAILURE(light_everywhere(machines, {source, random.in(1, 4 * n), fa}));
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, RandomScenes,
+                         testing::Values(std::pair{4, 80}, std::pair{5, 60}, std::pair{8, 50},
+                                         std::pair{16, 20}),
+                         [](const auto& info) { return "n" + std::to_string(info.param.first); });
+
+class RealScenes : public testing::TestWithParam<const char*> {};
+
+TEST_P(RealScenes, AgreeOnAllThreeMachines) {
+  constexpr int kN = 16;
+  Machines& machines = machines_of(kN);
+  scene::Scene scene = scene::read_file(GetParam());
+  scene::fit_to_cube(scene, kN);
+  const auto facets = facet::build_facets(scene, kN, 4, facet::Rule::armoured);
+  ASSERT_GT(facets.packets.heads.size(), 0U);
+  ASSERT_NO_FATAL_FAILURE(load_everywhere(machines, facets.packets));
+  Random random(6);
+  for (const auto& [distance, fa] : {std::pair{2 * kN, 16}, std::pair{kN - 1, 1}}) {
+    glm::ivec3 source;
+    ASSERT_TRUE(pick_source(random, kN, machines.golden.read_voxels(), source));
+    ASSERT_NO_FATAL_FAILURE(light_everywhere(machines, {source, distance, fa}));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, RealScenes,
+                         testing::Values(RC2_SOURCE_DIR "/sw/scene/room.dae",
+                                         "/usr/share/assimp/models/Collada/duck.dae",
+                                         "/usr/share/assimp/models/OBJ/spider.obj",
+                                         "/usr/share/assimp/models/OBJ/WusonOBJ.obj",
+                                         "/usr/share/assimp/models/STL/3DSMaxExport.STL"),
+                         [](const auto& info) {
+                           std::string name(info.param);
+                           name = name.substr(name.find_last_of('/') + 1);
+                           name.resize(name.find('.'));
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace rc2
