@@ -1,6 +1,6 @@
 #include "sw/golden/diffuse.h"
 
-#include "sw/golden/digital_line.h"
+#include "sw/lines/digital_line.h"
 
 namespace rc2::golden {
 namespace {
@@ -23,8 +23,8 @@ struct End {
 
 End follow_ray(const Grid& grid, std::ptrdiff_t start, int distance, const Faces& faces, int side,
                int u, int v) {
-  DigitalLine u_line(u, distance);
-  DigitalLine v_line(v, distance);
+  lines::DigitalLine u_line(u, distance);
+  lines::DigitalLine v_line(v, distance);
   End end{start, 0};
   do {
     end.place += side * grid.stride(faces.axis) + u_line.advance() * grid.stride(faces.u) +

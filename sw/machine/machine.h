@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "sw/facet/packet.h"
 #include "sw/base/config.h"
 #include "sw/base/error.h"
+#include "sw/facet/packet.h"
 
 namespace rc2 {
 

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <glm/common.hpp>
 #include <map>
 #include <memory>
 #include <random>
@@ -149,7 +151,7 @@ TEST_P(RandomScenes, AgreeOnAllThreeMachines) {
 INSTANTIATE_TEST_SUITE_P(Sizes, RandomScenes,
                          testing::Values(std::pair{4, 80}, std::pair{5, 60}, std::pair{8, 50},
                                          std::pair{16, 20}),
-                         [](const auto& info) { return "n" + std::to_string(info.param.first); });
+                         [](const auto& size) { return "n" + std::to_string(size.param.first); });
 
 class RealScenes : public testing::TestWithParam<const char*> {};
 
@@ -175,8 +177,8 @@ INSTANTIATE_TEST_SUITE_P(Files, RealScenes,
                                          "/usr/share/assimp/models/OBJ/spider.obj",
                                          "/usr/share/assimp/models/OBJ/WusonOBJ.obj",
                                          "/usr/share/assimp/models/STL/3DSMaxExport.STL"),
-                         [](const auto& info) {
-                           std::string name(info.param);
+                         [](const auto& scene) {
+                           std::string name(scene.param);
                            name = name.substr(name.find_last_of('/') + 1);
                            name.resize(name.find('.'));
                            return name;

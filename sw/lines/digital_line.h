@@ -1,9 +1,9 @@
-// One coordinate of a digital ray (thesis 4.3.1).
+// One coordinate of a digital ray (thesis 2.3.1 and 4.3.1).
 #pragma once
 
 #include <cstdint>
 
-namespace rc2::golden {
+namespace rc2::lines {
 
 /// After k steps towards target j on a face at distance L the offset is the integer nearest to
 /// j*k/L, ties downwards. This is Bresenham's line: `error` is 2*(j*k - L*offset) - L, and the
@@ -25,4 +25,4 @@ class DigitalLine {
   std::int64_t slope_, period_, error_;
 };
 
-}  // namespace rc2::golden
+}  // namespace rc2::lines

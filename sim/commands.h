@@ -1,0 +1,21 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace rc2 {
+
+/// What the program returns to the shell.
+enum ExitCode {
+  kDone = 0,
+  kDifferent = 1,     ///< compare: the files differ
+  kBadInput = 2,      ///< the user can mend it
+  kDisagreement = 3,  ///< run: the machine and its reference differ
+  kBroken = 4,        ///< a law that holds for every machine is broken
+};
+
+/// Each declares one command, which sets `exit_code` when it has run. Errors are thrown.
+void declare_run(CLI::App& program, ExitCode& exit_code);
+void declare_voxelize(CLI::App& program, ExitCode& exit_code);
+void declare_compare(CLI::App& program, ExitCode& exit_code);
+
+}  // namespace rc2

@@ -1,0 +1,39 @@
+#include "sw/report/compare.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "sim/commands.h"
+
+namespace rc2 {
+namespace {
+
+struct Files {
+  std::string expected, got;
+};
+
+ExitCode compare_files(const Files& files) {
+  const report::Comparison result =
+      report::compare(report::read_csv(files.expected), report::read_csv(files.got));
+  fmt::print("voxels differing  {}\nowners differing  {}\nlights differing  {}\n",
+             result.voxels_differing, result.owners_differing, result.lights_differing);
+  for (const report::Difference& difference : result.first) {
+    fmt::print("  {}\n", report::to_string(difference));
+  }
+  return result.equal() ? kDone : kDifferent;
+}
+
+}  // namespace
+
+void declare_compare(CLI::App& program, ExitCode& exit_code) {
+  auto files = std::make_shared<Files>();
+  auto* command = program.add_subcommand(
+      "compare",
+      "Compares two dumps voxel by voxel; exit code 0: equal, 1: different, 2: not readable");
+  command->add_option("EXPECTED", files->expected, "A file of --dump")->required();
+  command->add_option("GOT", files->got, "Another one")->required();
+  command->callback([files, &exit_code] { exit_code = compare_files(*files); });
+}
+
+}  // namespace rc2

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "sim/options.h"
+#include "sw/facet/facet.h"
+#include "sw/scene/scene.h"
+
+namespace rc2 {
+
+/// A scene in voxel coordinates and its packets.
+struct Job {
+  scene::Scene scene;
+  facet::FacetSet facets;
+};
+
+/// Reads or generates the scene, fits it if asked to, and builds its facets. Throws Error.
+Job prepare(const SceneOptions& options);
+
+}  // namespace rc2

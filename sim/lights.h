@@ -1,0 +1,34 @@
+// From the lights of the command line or the scene to source voxels.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sw/report/report.h"
+#include "sw/scene/scene.h"
+
+namespace rc2 {
+
+struct Lamp {
+  std::string origin;  ///< how the user knows it, for messages
+  glm::ivec3 voxel;
+  glm::vec3 colour;  ///< linear RGB
+};
+
+struct Lamps {
+  std::vector<Lamp> list;
+  report::LightCounts counts;
+};
+
+/// The lights asked for ("x,y,z" or "x,y,z,r,g,b"; voxels), else those of the scene that round to
+/// a voxel of the cube. Throws Error on a word that is no light or lies outside.
+Lamps choose_lamps(const std::vector<std::string>& asked, const scene::Scene& scene, int n);
+
+/// Adds a white lamp in the free voxel nearest to (n/4, 7n/8, 7n/8) if there is none, then throws
+/// Error if a lamp stands in an occupied voxel. `voxels` is what the machine loaded.
+void place_lamps(Lamps& lamps, const VoxelMemory& voxels, int n);
+
+/// The record of an occupied voxel, or null.
+const VoxelRecord* find_voxel(const VoxelMemory& voxels, glm::ivec3 at);
+
+}  // namespace rc2

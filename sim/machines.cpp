@@ -1,0 +1,42 @@
+#include "sim/machines.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sw/cycle/cycle_machine.h"
+#include "sw/golden/golden_machine.h"
+
+namespace rc2 {
+namespace {
+
+void check_limit(const char* option, int asked, int limit, const std::string& how, int n) {
+  if (asked <= limit) return;
+  throw Error(
+      fmt::format("{} {}: the Verilated machine of n = {} was built for at most {}; ask "
+                  "for less, or {} and `make rtl N={}`",
+                  option, asked, n, limit, how, n));
+}
+
+}  // namespace
+
+std::unique_ptr<Machine> make_machine(const std::string& name, const MachineConfig& job,
+                                      const WaveWindow& waves) {
+  if (name == "rtl") {
+    auto machine = make_rtl_machine(job.n, waves);
+    const MachineConfig& built = machine->config();
+    check_limit("--fraction-bits", job.fraction_bits, built.fraction_bits,
+                fmt::format("`cmake -D RC2_RTL_F={} build`", job.fraction_bits), job.n);
+    check_limit("--target-distance", job.max_distance, built.max_distance,
+                "raise RC2_LMAX in rtl/rc2_pkg.sv", job.n);
+    check_limit("--fa", job.max_fa, built.max_fa, "raise RC2_FAMAX in rtl/rc2_pkg.sv", job.n);
+    return machine;
+  }
+  MachineConfig config = job;
+  config.max_distance = std::max(job.max_distance, 4 * job.n);
+  config.max_fa = std::max(job.max_fa, 32);
+  if (name == "cycle") return std::make_unique<cycle::CycleMachine>(config);
+  return std::make_unique<golden::GoldenMachine>(config);
+}
+
+}  // namespace rc2

@@ -1,0 +1,117 @@
+#include "sim/options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sw/machine/checks.h"
+#include "sw/scene/scene.h"
+
+namespace rc2 {
+namespace {
+
+constexpr int kMaxQueue = 1 << 30;
+
+template <typename Number>
+void check_range(const char* option, Number value, Number lowest, Number highest) {
+  if (value < lowest || value > highest) {
+    throw Error(
+        fmt::format("{} {} is out of range; choose {} to {}", option, value, lowest, highest));
+  }
+}
+
+void complete_seed(std::string& scene, std::uint64_t seed) {
+  const bool takes_seed = scene.rfind("shells:", 0) == 0 || scene.rfind("dust:", 0) == 0;
+  if (takes_seed && std::count(scene.begin(), scene.end(), ':') == 1) {
+    scene += fmt::format(":{}", seed);
+  }
+}
+
+}  // namespace
+
+bool SceneOptions::fitted() const {
+  return fit.empty() ? !scene::is_generated_name(scene) : fit == "cube";
+}
+
+void declare_scene_options(CLI::App& command, SceneOptions& options, const std::string& machine) {
+  options.machine = machine;
+  command
+      .add_option("SCENE", options.scene,
+                  "A file that Assimp reads, or a generated scene: empty, room, ball:R, "
+                  "shells:PERCENT[:SEED], dust:PERCENT[:SEED]")
+      ->required();
+  command.add_option("--machine", options.machine, "The machine")
+      ->check(CLI::IsMember({"golden", "cycle", "rtl"}))
+      ->capture_default_str();
+  command.add_option("--n", options.n, "Cells per side and voxels per column, 2 to 1024")
+      ->capture_default_str();
+  command
+      .add_option("--fit", options.fit,
+                  "cube: scale the scene to the voxels 1 .. n-2; none: take it as voxel "
+                  "coordinates (default: cube for files, none for generated scenes)")
+      ->check(CLI::IsMember({"cube", "none"}));
+  command
+      .add_option("--fraction-bits", options.fraction_bits,
+                  "Vertices are multiples of 2^-f voxel, f from 0 to 8")
+      ->capture_default_str();
+  command
+      .add_option("--rule", options.rule,
+                  "Voxels of a facet: armoured, naive, supercover, half or blindee")
+      ->capture_default_str();
+  command
+      .add_option("--seed", options.seed, "Seed of shells:PERCENT and dust:PERCENT named without")
+      ->capture_default_str();
+  command.add_option("--dump", options.dump, "Write the memories to this CSV file")
+      ->type_name("FILE.csv");
+}
+
+void declare_run_options(CLI::App& command, RunOptions& options) {
+  declare_scene_options(command, options, "cycle");
+  command
+      .add_option("--light", options.lights,
+                  "x,y,z[,r,g,b]: a light at a voxel, colour 1,1,1 if not given; may be repeated "
+                  "(default: the scene's lights; one in the upper front left if it has none)")
+      ->allow_extra_args(false);
+  command.add_option("--light-rule", options.light_rule, "Which voxels light reaches")
+      ->check(CLI::IsMember({"thesis"}))
+      ->capture_default_str();
+  command.add_option("--target-distance", options.target_distance,
+                     "Distance L of the virtual faces that light aims at, in voxels (default 2n)");
+  command.add_option("--fa", options.fa, "Depth of the queue of a cell, in beams")
+      ->capture_default_str();
+  command.add_option("--out", options.out, "Folder of picture.png, picture.exr and report.json")
+      ->type_name("DIR")
+      ->capture_default_str();
+  auto* waves = command
+                    .add_option("--waves", options.waves,
+                                "Write a waveform to this FST file (--machine rtl only)")
+                    ->type_name("FILE.fst");
+  command.add_option("--waves-from", options.waves_from, "First clock cycle of the waveform")
+      ->needs(waves)
+      ->capture_default_str();
+  command.add_option("--waves-cycles", options.waves_cycles, "Clock cycles in the waveform")
+      ->needs(waves)
+      ->capture_default_str();
+}
+
+void check_options(SceneOptions& options) {
+  check_range("--n", options.n, 2, kMaxSide);
+  check_range("--fraction-bits", options.fraction_bits, 0, kMaxFractionBits);
+  facet::parse_rule(options.rule);
+  complete_seed(options.scene, options.seed);
+}
+
+void check_options(RunOptions& options) {
+  check_options(static_cast<SceneOptions&>(options));
+  check_range("--target-distance", options.distance(), 1, kMaxDistance);
+  check_range("--fa", options.fa, 1, kMaxQueue);
+  constexpr std::int64_t longest = 1'000'000'000'000;
+  check_range<std::int64_t>("--waves-from", options.waves_from, 0, longest);
+  check_range<std::int64_t>("--waves-cycles", options.waves_cycles, 1, longest);
+  if (!options.waves.empty() && options.machine != "rtl") {
+    throw Error(fmt::format("--waves {}: the {} model has no signals to show; use --machine rtl",
+                            options.waves, options.machine));
+  }
+}
+
+}  // namespace rc2

@@ -1,0 +1,50 @@
+// What the command line asks for, checked and with its defaults.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sw/facet/facet.h"
+
+namespace rc2 {
+
+/// The scene and the machine that it is loaded into: options of run and voxelize.
+struct SceneOptions {
+  std::string scene;
+  std::string machine;
+  int n = 16;
+  std::string fit;  ///< "cube", "none", or empty: cube for a file, none for a generated scene
+  int fraction_bits = 4;
+  std::string rule = "armoured";
+  std::uint64_t seed = 1;
+  std::string dump;
+
+  bool fitted() const;
+};
+
+struct RunOptions : SceneOptions {
+  std::vector<std::string> lights;
+  std::string light_rule = "thesis";
+  std::optional<int> target_distance;
+  int fa = 16;
+  std::string out = "out";
+  std::string waves;
+  std::int64_t waves_from = 0;
+  std::int64_t waves_cycles = 2000;
+
+  int distance() const { return target_distance.value_or(2 * n); }
+};
+
+/// Declare the options of a command; `machine` is the default one.
+void declare_scene_options(CLI::App& command, SceneOptions& options, const std::string& machine);
+void declare_run_options(CLI::App& command, RunOptions& options);
+
+/// Throw Error on a value out of range, before any work is done. The first one completes the name
+/// of a generated scene that lacks its seed.
+void check_options(SceneOptions& options);
+void check_options(RunOptions& options);
+
+}  // namespace rc2

@@ -1,0 +1,65 @@
+# The Verilated array: one shared library per size, rtl_n<N> -> rtl/librc2_rtl_n<N>.so beside rc2.
+# Not part of `all`: a test or a run that needs a size depends on it, and every one shares it.
+set(RC2_RTL_SIZES 4 5 8 16 32 CACHE STRING "Sizes with a target of their own")
+set(RC2_RTL_EXTRA_SIZE "" CACHE STRING "One more size")
+set(RC2_RTL_F 4 CACHE STRING "Fraction bits of the Verilated machines")
+
+find_program(VERILATOR verilator REQUIRED)
+
+# A module comes after those it uses: package, parts, units, column, cell, array, machine.
+set(RC2_RTL_SOURCES ${PROJECT_SOURCE_DIR}/rtl/rc2_pkg.sv)
+foreach(level parts load light net)
+  file(GLOB modules CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/rtl/${level}/*.sv)
+  list(APPEND RC2_RTL_SOURCES ${modules})
+endforeach()
+foreach(module column cell array machine)
+  list(APPEND RC2_RTL_SOURCES ${PROJECT_SOURCE_DIR}/rtl/rc2_${module}.sv)
+endforeach()
+set(RC2_VERILATED_GLUE ${PROJECT_SOURCE_DIR}/sim/verilated_machine.cpp
+                       ${PROJECT_SOURCE_DIR}/sim/wave_list.cpp)
+set(RC2_RTL_RULES ${PROJECT_SOURCE_DIR}/rtl/trace.vlt ${PROJECT_SOURCE_DIR}/rtl/rc2.vlt)
+
+# -O1: as fast as -O2 and quicker to build; the slow path runs once. Waves cost nothing until they
+# are switched on, so every library can write them. An assertion knows its place in the hierarchy
+# and so gives each cell a body of its own: only the small arrays have them.
+set(RC2_VERILATOR_FLAGS -Wall -O3 --x-assign fast --x-initial fast --trace-fst --trace-structs)
+set(RC2_ASSERTED_UP_TO 5)
+set(RC2_VERILATED_MAKE OPT_FAST=-O1 OPT_SLOW=-O0)
+if(CCACHE)
+  list(APPEND RC2_VERILATED_MAKE OBJCACHE=ccache)
+endif()
+
+function(rc2_add_rtl n fraction_bits)
+  set(assertions --noassert)
+  if(n LESS_EQUAL RC2_ASSERTED_UP_TO)
+    set(assertions --assert)
+  endif()
+  set(folder ${CMAKE_BINARY_DIR}/rtl/n${n})
+  set(library ${CMAKE_BINARY_DIR}/rtl/librc2_rtl_n${n}.so)
+  add_custom_command(
+    OUTPUT ${library}
+    COMMAND ${CMAKE_COMMAND} -E rm -rf ${folder}
+    COMMAND
+      ${VERILATOR} --cc --exe ${RC2_VERILATOR_FLAGS} ${assertions} -DRC2_N=${n} -DRC2_F=${fraction_bits}
+      --top-module rc2_machine ${RC2_RTL_RULES} ${RC2_RTL_SOURCES} --Mdir ${folder} -o ${library}
+      -CFLAGS "-std=c++17 -fPIC -I${PROJECT_SOURCE_DIR}" -LDFLAGS "-shared -lfmt"
+      ${RC2_VERILATED_GLUE}
+    COMMAND make --silent --no-print-directory -j2 -C ${folder} -f Vrc2_machine.mk ${RC2_VERILATED_MAKE} > ${folder}.log
+    DEPENDS ${RC2_RTL_SOURCES} ${RC2_RTL_RULES} ${RC2_VERILATED_GLUE}
+            ${PROJECT_SOURCE_DIR}/sim/host_word.h ${PROJECT_SOURCE_DIR}/sim/rtl_machine.h
+            ${PROJECT_SOURCE_DIR}/sim/wave_list.h
+            ${PROJECT_SOURCE_DIR}/sw/machine/machine.h ${PROJECT_SOURCE_DIR}/sw/base/config.h
+            ${PROJECT_SOURCE_DIR}/sw/facet/packet.h
+    COMMENT "Verilating the ${n}x${n} array"
+    VERBATIM)
+  add_custom_target(rtl_n${n} DEPENDS ${library})
+endfunction()
+
+# n = 5 has room for the finest vertices, so that the whole range of f meets the RTL somewhere.
+foreach(n IN LISTS RC2_RTL_SIZES RC2_RTL_EXTRA_SIZE)
+  if(n EQUAL 5)
+    rc2_add_rtl(${n} 8)
+  elseif(NOT TARGET rtl_n${n})
+    rc2_add_rtl(${n} ${RC2_RTL_F})
+  endif()
+endforeach()

@@ -1,0 +1,28 @@
+// The third Machine: the Verilated array. One shared library per n, because n is part of the
+// hardware; the program loads the one that a run asks for.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "sw/machine/machine.h"
+
+namespace rc2 {
+
+/// A waveform of the cycles from .. from+cycles-1, counted from reset. No path: no waveform.
+struct WaveWindow {
+  std::string path;
+  std::int64_t from = 0;
+  std::int64_t cycles = 0;
+};
+
+/// Loads build/rtl/librc2_rtl_n<N>.so (beside the program) and resets the machine in it. Throws
+/// Error if there is none for this n, saying how to build it.
+std::unique_ptr<Machine> make_rtl_machine(int n, const WaveWindow& waves);
+
+/// What such a library exports under the name kRtlFactory.
+using RtlFactory = Machine*(const WaveWindow& waves);
+constexpr const char* kRtlFactory = "rc2_make_verilated_machine";
+
+}  // namespace rc2

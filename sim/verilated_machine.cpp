@@ -1,0 +1,296 @@
+// The Machine interface on top of the Verilated array: the only code that touches its pins.
+// Compiled once per n into librc2_rtl_n<N>.so together with what Verilator wrote.
+#include <fmt/format.h>
+#include <verilated.h>
+#include <verilated_fst_c.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <tuple>
+
+#include "Vrc2_machine.h"
+#include "sim/host_word.h"
+#include "sim/rtl_machine.h"
+#include "sim/wave_list.h"
+
+namespace rc2 {
+namespace {
+
+// Registers of rtl/rc2_machine.sv.
+enum Register : std::uint8_t {
+  kId = 0x00,
+  kN = 0x04,
+  kF = 0x08,
+  kLmax = 0x0C,
+  kFamax = 0x10,
+  kPacketBits = 0x14,
+  kReadbackBits = 0x18,
+  kCommand = 0x20,
+  kStatus = 0x24,
+  kBusyCycles = 0x28,
+  kHomeCycle = 0x2C,
+  kHome = 0x30,
+  kSourceX = 0x40,
+  kSourceY = 0x44,
+  kSourceZ = 0x48,
+  kDistance = 0x4C,
+  kFa = 0x50,
+  kTargets = 0x54,
+};
+constexpr std::uint32_t kMachineId = 0x52433201;
+constexpr std::uint32_t kCommandClear = 1;
+constexpr std::uint32_t kCommandStart = 2;
+constexpr std::uint32_t kStatusBusy = 1;
+constexpr std::uint32_t kStatusHome = 2;
+
+// The array reports itself busy a few cycles late (rc2_array); nothing starts within that time.
+constexpr int kBusyDelay = 8;
+// Cycles without any target coming home after which a light is taken to hang.
+constexpr std::int64_t kPatience = 1'000'000;
+
+template <std::size_t Words>
+void set_pins(VlWide<Words>& pins, const HostWord& word) {
+  std::copy_n(word.limbs().begin(), Words, pins.data());
+}
+void set_pins(QData& pins, const HostWord& word) {
+  pins = word.limbs()[0] | (static_cast<QData>(word.limbs()[1]) << 32);
+}
+void set_pins(IData& pins, const HostWord& word) { pins = word.limbs()[0]; }
+
+class VerilatedMachine final : public Machine {
+ public:
+  explicit VerilatedMachine(const WaveWindow& waves)
+      : top_(&context_, "rc2"), waves_(waves), config_(reset_and_identify()), format_(config_) {
+    if (read_register(kPacketBits) != static_cast<std::uint32_t>(format_.packet_bits()) ||
+        read_register(kReadbackBits) != static_cast<std::uint32_t>(format_.readback_bits())) {
+      throw std::logic_error("rtl/rc2_pkg.sv and sim/host_word.h disagree about the width of a word");
+    }
+  }
+
+  ~VerilatedMachine() override {
+    if (tracing_) trace_.close();
+    top_.final();
+  }
+  VerilatedMachine(const VerilatedMachine&) = delete;
+  VerilatedMachine& operator=(const VerilatedMachine&) = delete;
+
+  const MachineConfig& config() const override { return config_; }
+
+  LoadResult load(const facet::PacketStream& packets, const Progress& progress) override {
+    write_register(kCommand, kCommandClear);
+    const auto total = static_cast<double>(packets.heads.size());
+    std::size_t sent = 0;
+    for (const auto& head : packets.heads) {
+      send(head_word(format_, head));
+      for (std::uint32_t i = 0; i < head.bound_count; ++i) {
+        send(bound_word(format_, packets.bounds[head.first_bound + i], i + 1 == head.bound_count));
+      }
+      if (++sent % 64 == 0) progress("load", cycle_, static_cast<double>(sent) / total);
+    }
+    wait_until_idle();
+    const LoadResult result{read_register(kBusyCycles)};
+    voxels_ = read_back(ReadWhat::voxels);
+    return result;
+  }
+
+  LightResult light(const LightJob& job, const Progress& progress) override {
+    write_register(kSourceX, static_cast<std::uint32_t>(job.source.x));
+    write_register(kSourceY, static_cast<std::uint32_t>(job.source.y));
+    write_register(kSourceZ, static_cast<std::uint32_t>(job.source.z));
+    write_register(kDistance, static_cast<std::uint32_t>(job.target_distance));
+    write_register(kFa, static_cast<std::uint32_t>(job.fa));
+    LightResult result;
+    result.targets.total = total_targets(job.target_distance);
+    write_register(kTargets, static_cast<std::uint32_t>(result.targets.total));
+    if (!waves_.path.empty() && !waves_listed_) {
+      write_wave_list(waves_.path, config_, job.source, cycle_);
+      waves_listed_ = true;
+    }
+    write_register(kCommand, kCommandStart);
+
+    std::int64_t home = 0;
+    std::int64_t home_since = cycle_;
+    do {
+      step(64);
+      const std::int64_t now = read_register(kHome);
+      if (now != home) home_since = cycle_;
+      home = now;
+      if (cycle_ - home_since > kPatience) {
+        throw std::logic_error(fmt::format("the light hangs: {} of {} targets came home", home,
+                                           result.targets.total));
+      }
+      progress("light", read_register(kBusyCycles),
+               static_cast<double>(home) / static_cast<double>(result.targets.total));
+    } while ((read_register(kStatus) & kStatusBusy) != 0);
+    step(2 * config_.n + kBusyDelay);  // the last targets' way home
+    result.cycles = read_register(kBusyCycles);
+    result.home_cycles = read_register(kHomeCycle);
+    const bool all_home = (read_register(kStatus) & kStatusHome) != 0;
+    home = read_register(kHome);
+
+    const auto counts = read_back(ReadWhat::light);
+    light_.clear();
+    for (const auto& record : counts) {
+      light_.push_back(record.facet);
+      result.targets.absorbed += record.facet;
+    }
+    result.targets.escaped = home - result.targets.absorbed;
+    if (!all_home) {
+      throw std::logic_error(fmt::format("conservation is broken: {} of {} targets came home", home,
+                                         result.targets.total));
+    }
+    for (const auto& record : read_back(ReadWhat::counters)) {
+      if (record.at.z == 0) result.visits += record.facet;
+      if (record.at.z == 1) result.max_queue = std::max<std::int64_t>(result.max_queue, record.facet);
+    }
+    return result;
+  }
+
+  VoxelMemory read_voxels() override { return voxels_; }
+  LightMemory read_light() override { return light_; }
+
+ private:
+  // ---- Clock -------------------------------------------------------------------------------
+  void half(bool high) {
+    top_.clk_i = high ? 1 : 0;
+    top_.eval();
+    if (tracing_) trace_.dump(static_cast<std::uint64_t>(cycle_ * kWaveTimePerCycle +
+                                                     (high ? 0 : kWaveTimePerCycle / 2)));
+  }
+
+  /// One clock cycle. Inputs set before are seen by its rising edge; outputs read after are what
+  /// the registers hold then.
+  void tick() {
+    if (!waves_.path.empty() && cycle_ == waves_.from) open_waves();
+    half(true);
+    half(false);
+    ++cycle_;
+    if (tracing_ && cycle_ == waves_.from + waves_.cycles) {
+      trace_.close();
+      tracing_ = false;
+    }
+  }
+
+  void step(int cycles) {
+    for (int i = 0; i < cycles; ++i) tick();
+  }
+
+  void open_waves() {
+    context_.traceEverOn(true);
+    top_.trace(&trace_, 99);
+    trace_.open(waves_.path.c_str());
+    if (!trace_.isOpen()) {
+      throw Error(waves_.path + ": the waveform cannot be written; name a file in a folder that exists");
+    }
+    tracing_ = true;
+  }
+
+  MachineConfig reset_and_identify() {
+    if (!waves_.path.empty()) context_.traceEverOn(true);
+    top_.rst_ni = 0;
+    step(2);
+    top_.rst_ni = 1;
+    step(1);
+    if (read_register(kId) != kMachineId) throw std::logic_error("not an RC2 machine");
+    MachineConfig config;
+    config.n = static_cast<int>(read_register(kN));
+    config.fraction_bits = static_cast<int>(read_register(kF));
+    config.max_distance = static_cast<int>(read_register(kLmax));
+    config.max_fa = static_cast<int>(read_register(kFamax));
+    return config;
+  }
+
+  // ---- AXI4-Lite ---------------------------------------------------------------------------
+  void write_register(Register address, std::uint32_t value) {
+    top_.s_axil_awvalid = 1;
+    top_.s_axil_awaddr = address;
+    top_.s_axil_wvalid = 1;
+    top_.s_axil_wdata = value;
+    tick();  // an idle slave takes both at once
+    top_.s_axil_awvalid = 0;
+    top_.s_axil_wvalid = 0;
+    top_.s_axil_bready = 1;
+    tick();
+    top_.s_axil_bready = 0;
+    if (address == kCommand) step(kBusyDelay);
+  }
+
+  std::uint32_t read_register(Register address) {
+    top_.s_axil_arvalid = 1;
+    top_.s_axil_araddr = address;
+    tick();
+    top_.s_axil_arvalid = 0;
+    const std::uint32_t value = top_.s_axil_rdata;
+    top_.s_axil_rready = 1;
+    tick();
+    top_.s_axil_rready = 0;
+    return value;
+  }
+
+  void wait_until_idle() {
+    step(kBusyDelay);
+    while ((read_register(kStatus) & kStatusBusy) != 0) {
+    }
+  }
+
+  // ---- AXI4-Stream -------------------------------------------------------------------------
+  void send(const HostWord& word) {
+    set_pins(top_.s_axis_tdata, word);
+    top_.s_axis_tlast = word.last() ? 1 : 0;
+    top_.s_axis_tvalid = 1;
+    bool taken = false;
+    while (!taken) {
+      taken = top_.s_axis_tready != 0;
+      tick();
+    }
+    top_.s_axis_tvalid = 0;
+  }
+
+  /// Asks every cell for its words; `facet` of a record is the value read. Sorted by z, y, x.
+  VoxelMemory read_back(ReadWhat what) {
+    VoxelMemory records;
+    send(read_word(format_, what));
+    top_.m_axis_tready = 1;
+    int cell = 0;
+    bool ended = false;
+    while (!ended) {
+      if (top_.m_axis_tvalid != 0) {
+        ended = top_.m_axis_tlast != 0;
+        if (!ended) {
+          const auto word = unpack_readback(format_, top_.m_axis_tdata);
+          if (!word.empty) {
+            records.push_back({{cell % config_.n, cell / config_.n, word.z}, word.value});
+          }
+          if (word.last_of_cell) ++cell;
+        }
+      }
+      tick();
+    }
+    top_.m_axis_tready = 0;
+    if (cell != config_.n * config_.n) throw std::logic_error("the readback missed cells");
+    std::sort(records.begin(), records.end(), [](const VoxelRecord& a, const VoxelRecord& b) {
+      return std::tie(a.at.z, a.at.y, a.at.x) < std::tie(b.at.z, b.at.y, b.at.x);
+    });
+    wait_until_idle();
+    return records;
+  }
+
+  VerilatedContext context_;
+  Vrc2_machine top_;
+  VerilatedFstC trace_;
+  bool tracing_ = false;
+  bool waves_listed_ = false;
+  std::int64_t cycle_ = 0;
+  WaveWindow waves_;
+  MachineConfig config_;
+  WordFormat format_;
+  VoxelMemory voxels_;
+  LightMemory light_;
+};
+
+}  // namespace
+}  // namespace rc2
+
+extern "C" rc2::Machine* rc2_make_verilated_machine(const rc2::WaveWindow& waves) {
+  return new rc2::VerilatedMachine(waves);
+}

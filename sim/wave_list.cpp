@@ -1,0 +1,98 @@
+#include "sim/wave_list.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "sw/base/error.h"
+
+namespace rc2 {
+namespace {
+
+// GTKWave's marks for how a line is shown.
+constexpr const char* kDecimal = "@24";
+constexpr const char* kSigned = "@420";
+constexpr const char* kHexadecimal = "@22";
+constexpr const char* kBits = "@28";
+constexpr const char* kTitle = "@200";
+
+class SaveFile {
+ public:
+  void title(const std::string& text) { text_ += fmt::format("{}\n-{}\n", kTitle, text); }
+  void signal(const char* format, const std::string& name, int width) {
+    text_ += fmt::format("{}\n{}{}\n", format, name, width == 1 ? "" : fmt::format("[{}:0]", width - 1));
+  }
+  void text(const std::string& text) { text_ += text; }
+  const std::string& str() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+void list_cell(SaveFile& list, const MachineConfig& config, int x, int y, const std::string& what) {
+  const int coordinate = coordinate_bits(config.n);
+  const int target = bits_for(config.max_distance + 1) + 1;
+  // Cell (x,y) is g[y+1].c[x+1] in rtl/rc2_array.sv.
+  const std::string cell =
+      fmt::format("rc2.rc2_machine.u_array.g[{}].c[{}].n.u_cell.", y + 1, x + 1);
+  list.title(fmt::format("Cell ({}, {}): {}", x, y, what));
+  list.signal(kBits, cell + "busy_o", 1);
+  list.signal(kDecimal, cell + "queue", bits_for(config.max_fa + 1));
+  for (const char* field : {"dir", "z"}) {
+    list.signal(kDecimal, cell + "u_diffuser.head." + field, field[0] == 'd' ? 3 : coordinate);
+  }
+  for (const char* field : {"umin", "umax", "vmin", "vmax"}) {
+    list.signal(kSigned, cell + "u_diffuser.head." + field, target);
+  }
+  list.signal(kBits, cell + "link_valid_i", 8);
+  list.signal(kBits, cell + "link_valid_o", 8);
+  list.signal(kBits, cell + "link_ready_i", 8);
+  list.signal(kBits, cell + "absorb", 1);
+  list.signal(kDecimal, cell + "absorb_z", coordinate);
+  list.signal(kBits, cell + "dexel_valid", 1);
+  list.signal(kDecimal, cell + "dexel_facet", kFacetBits);
+  list.signal(kDecimal, cell + "dexel_lo", coordinate);
+  list.signal(kDecimal, cell + "dexel_hi", coordinate);
+  list.signal(kHexadecimal, cell + "occupied", config.n);
+}
+
+}  // namespace
+
+void write_wave_list(const std::string& waves, const MachineConfig& config, glm::ivec3 source,
+                     std::int64_t start) {
+  const std::string machine = "rc2.rc2_machine.";
+  const std::int64_t time = start * kWaveTimePerCycle;
+  SaveFile list;
+  list.text(fmt::format("[*] The light at ({}, {}, {}) starts at {}: {} time units are one cycle.\n",
+                        source.x, source.y, source.z, time, kWaveTimePerCycle));
+  list.text(fmt::format("[dumpfile] \"{}\"\n", std::filesystem::absolute(waves).string()));
+  list.text(fmt::format("[timestart] {}\n[size] 1600 1000\n[signals_width] 300\n", time - 5 * kWaveTimePerCycle));
+  list.text(fmt::format("*-6.000000 {}{}\n", time, " -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1"
+                                                   " -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1"));
+  list.title("Machine");
+  list.signal(kBits, machine + "clk_i", 1);
+  list.signal(kBits, machine + "s_axis_tvalid", 1);
+  list.signal(kBits, machine + "s_axis_tready", 1);
+  list.signal(kBits, machine + "m_axis_tvalid", 1);
+  list.signal(kBits, machine + "start_q", 1);
+  list.signal(kBits, machine + "busy", 1);
+  list.signal(kHexadecimal, machine + "u_array.rows_busy", config.n);
+  list.signal(kDecimal, machine + "busy_cycles_q", 32);
+  list.signal(kDecimal, machine + "home_q",
+              bits_for(24LL * config.max_distance * config.max_distance + 3));
+  list_cell(list, config, source.x, source.y, "the light's own");
+  const int east = source.x + 1 < config.n ? source.x + 1 : source.x - 1;
+  list_cell(list, config, east, source.y, "beside the light");
+  list_cell(list, config, 0, 0, "a corner");
+
+  const auto path = std::filesystem::path(waves).replace_extension(".gtkw");
+  std::ofstream file(path);
+  file << list.str();
+  file.close();
+  if (!file) {
+    throw Error(path.string() + ": the list of signals cannot be written; name a folder that is writable");
+  }
+}
+
+}  // namespace rc2

@@ -1,0 +1,47 @@
+#include "sw/cycle/column.h"
+
+#include <algorithm>
+#include <bitset>
+
+namespace rc2::cycle {
+namespace {
+
+std::size_t count_bits(std::uint64_t word) { return std::bitset<64>(word).count(); }
+
+}  // namespace
+
+Columns::Columns(int n)
+    : words_(static_cast<std::size_t>(n + 63) / 64),
+      occupied_(words_ * static_cast<std::size_t>(n) * static_cast<std::size_t>(n)),
+      voxels_(static_cast<std::size_t>(n) * static_cast<std::size_t>(n)) {}
+
+void Columns::clear() {
+  std::fill(occupied_.begin(), occupied_.end(), 0);
+  for (auto& column : voxels_) column.clear();
+}
+
+void Columns::fill(std::size_t column, int z, std::uint32_t facet) {
+  auto& voxels = voxels_[column];
+  const std::size_t at = place(column, z);
+  if (occupied(column, z)) {
+    voxels[at].owner = std::min(voxels[at].owner, facet);
+  } else {
+    occupied_[word_of(column, z)] |= std::uint64_t{1} << (z % 64);
+    voxels.insert(voxels.begin() + static_cast<std::ptrdiff_t>(at), Voxel{facet, 0});
+  }
+}
+
+void Columns::darken() {
+  for (auto& column : voxels_) {
+    for (Voxel& voxel : column) voxel.arrived = 0;
+  }
+}
+
+std::size_t Columns::place(std::size_t column, int z) const {
+  const std::size_t word = word_of(column, z);
+  std::size_t below = count_bits(occupied_[word] & ((std::uint64_t{1} << (z % 64)) - 1));
+  for (std::size_t i = column * words_; i < word; ++i) below += count_bits(occupied_[i]);
+  return below;
+}
+
+}  // namespace rc2::cycle

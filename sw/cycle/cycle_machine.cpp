@@ -1,0 +1,54 @@
+#include "sw/cycle/cycle_machine.h"
+
+#include "sw/cycle/cell.h"
+#include "sw/cycle/load_array.h"
+#include "sw/machine/checks.h"
+
+namespace rc2::cycle {
+
+CycleMachine::CycleMachine(const MachineConfig& config)
+    : config_(checked(config)), columns_(config.n), light_array_(config.n, columns_) {}
+
+LoadResult CycleMachine::load(const facet::PacketStream& packets, const Progress& progress) {
+  check_packets(config_, packets);
+  columns_.clear();
+  return {LoadArray(config_.n, columns_).run(packets, progress)};
+}
+
+LightResult CycleMachine::light(const LightJob& job, const Progress& progress) {
+  check_light(config_, job);
+  const std::size_t column = cell_number(job.source.x, job.source.y, config_.n);
+  if (columns_.occupied(column, job.source.z)) {
+    refuse_occupied_source(job, columns_.owner(column, job.source.z));
+  }
+  return light_array_.run(job, observer_, progress);
+}
+
+template <typename Visit>
+void CycleMachine::for_each_voxel(Visit visit) const {
+  for (glm::ivec3 at{0}; at.z < config_.n; ++at.z) {
+    std::size_t column = 0;
+    for (at.y = 0; at.y < config_.n; ++at.y) {
+      for (at.x = 0; at.x < config_.n; ++at.x, ++column) {
+        if (columns_.occupied(column, at.z)) visit(at, column);
+      }
+    }
+  }
+}
+
+VoxelMemory CycleMachine::read_voxels() {
+  VoxelMemory voxels;
+  for_each_voxel([&](glm::ivec3 at, std::size_t column) {
+    voxels.push_back({at, columns_.owner(column, at.z)});
+  });
+  return voxels;
+}
+
+LightMemory CycleMachine::read_light() {
+  LightMemory light;
+  for_each_voxel(
+      [&](glm::ivec3 at, std::size_t column) { light.push_back(columns_.arrived(column, at.z)); });
+  return light;
+}
+
+}  // namespace rc2::cycle

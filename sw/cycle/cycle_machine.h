@@ -1,0 +1,42 @@
+// The machine cycle by cycle: the same registers as rtl/, unit for unit and name for name, without
+// the readback. Cells at rest cost nothing.
+#pragma once
+
+#include "sw/cycle/light_array.h"
+#include "sw/machine/machine.h"
+
+namespace rc2::cycle {
+
+class CycleMachine : public Machine {
+ public:
+  /// An empty machine. Throws Error if the configuration is out of range.
+  explicit CycleMachine(const MachineConfig& config);
+  CycleMachine(const CycleMachine&) = delete;
+  CycleMachine& operator=(const CycleMachine&) = delete;
+
+  const MachineConfig& config() const override { return config_; }
+
+  /// The machine is left as it was if a packet is out of range.
+  LoadResult load(const facet::PacketStream& packets, const Progress& progress) override;
+
+  /// Throws Error if the source is not a free voxel of the cube, or if L or FA is not in
+  /// 1 .. the machine's maximum. Throws std::logic_error if the machine loses a target or blocks.
+  LightResult light(const LightJob& job, const Progress& progress) override;
+
+  VoxelMemory read_voxels() override;
+  LightMemory read_light() override;
+
+  /// Calls `observer` in every cycle of every light from now on; none if it is empty.
+  void observe(Observer observer) { observer_ = std::move(observer); }
+
+ private:
+  template <typename Visit>
+  void for_each_voxel(Visit visit) const;
+
+  MachineConfig config_;
+  Columns columns_;
+  LightArray light_array_;
+  Observer observer_;
+};
+
+}  // namespace rc2::cycle

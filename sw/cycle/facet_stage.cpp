@@ -1,0 +1,40 @@
+#include "sw/cycle/facet_stage.h"
+
+namespace rc2::cycle {
+
+bool FacetStage::here() const {
+  return front().kind == Kind::head ? front().skip[lead_] == 0 : here_;
+}
+
+bool FacetStage::on() const {
+  return front().kind == Kind::head ? front().skip[lead_] != 0 || front().take[lead_] > 1 : on_;
+}
+
+Word FacetStage::stepped() const {
+  Word word = front();
+  if (word.kind == Kind::bound) {
+    if (here_) word.d += word.step[lead_];
+  } else if (word.skip[lead_] == 0) {
+    --word.take[lead_];
+  } else {
+    --word.skip[lead_];
+  }
+  return word;
+}
+
+void FacetStage::pop() {
+  if (front().kind == Kind::head) {
+    const bool serves = here(), goes_on = on();
+    here_ = serves;
+    on_ = goes_on;
+  }
+  first_ ^= 1U;
+  --held_;
+}
+
+void FacetStage::push(const Word& word) {
+  buffer_[(first_ + held_) % 2] = word;
+  ++held_;
+}
+
+}  // namespace rc2::cycle

@@ -1,0 +1,37 @@
+// The array while it is lit (rtl/rc2_array.sv): routers and beam engines of all cells.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "sw/cycle/diffuser.h"
+#include "sw/cycle/router.h"
+
+namespace rc2::cycle {
+
+/// Sees each cycle of a light: its number (the first after the start is 1) and, for each cell
+/// y*n + x, the number of beams in its queue as the registers hold it in that cycle.
+using Observer = std::function<void(std::int64_t cycle, const std::vector<std::uint32_t>& queues)>;
+
+class LightArray {
+ public:
+  LightArray(int n, Columns& columns);
+
+  /// Lights the columns. Throws std::logic_error if targets are lost or beams block each other.
+  LightResult run(const LightJob& job, const Observer& observer, const Progress& progress);
+
+ private:
+  bool step(std::int64_t cycle);
+  void check_conservation(const TargetCount& targets) const;
+  [[noreturn]] void report_deadlock(std::int64_t cycle) const;
+
+  int n_;
+  Columns& columns_;
+  Router router_;
+  Diffuser diffuser_;
+  std::vector<std::size_t> active_;   // cells that hold anything, in any order
+  std::vector<std::uint8_t> listed_;  // per cell: is in active_
+};
+
+}  // namespace rc2::cycle

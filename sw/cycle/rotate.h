@@ -1,0 +1,26 @@
+// Rotating arbiter (rtl/parts/rc2_rotate.sv).
+#pragma once
+
+#include <cstdint>
+
+#include "sw/cycle/bits.h"
+
+namespace rc2::cycle {
+
+/// Its place outlives a light, as in hardware.
+class Rotate {
+ public:
+  /// Grants the first request at or after the place that follows the last grant.
+  unsigned take(unsigned requests) {
+    const unsigned preferred = requests >> next_ << next_;
+    const unsigned chosen = preferred != 0 ? preferred : requests;
+    const unsigned way = first_of(chosen);
+    next_ = static_cast<std::uint8_t>(way + 1);
+    return way;
+  }
+
+ private:
+  std::uint8_t next_ = 0;
+};
+
+}  // namespace rc2::cycle

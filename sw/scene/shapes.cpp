@@ -1,0 +1,93 @@
+#include "sw/scene/shapes.h"
+
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace rc2::scene {
+namespace {
+
+// Generated vertices are multiples of the finest vertex grid. What a compiler may round
+// differently is far smaller, so the scene is the same everywhere.
+constexpr double kGrid = 256.0;
+
+glm::dvec3 on_grid(const glm::dvec3& p) { return glm::floor(p * kGrid + 0.5) / kGrid; }
+
+using Triangle = std::array<glm::dvec3, 3>;  // unit vectors
+
+std::vector<Triangle> icosahedron() {
+  const double g = 0.5 * (1.0 + std::sqrt(5.0));
+  const std::array<glm::dvec3, 12> v{{{-1, g, 0},
+                                      {1, g, 0},
+                                      {-1, -g, 0},
+                                      {1, -g, 0},
+                                      {0, -1, g},
+                                      {0, 1, g},
+                                      {0, -1, -g},
+                                      {0, 1, -g},
+                                      {g, 0, -1},
+                                      {g, 0, 1},
+                                      {-g, 0, -1},
+                                      {-g, 0, 1}}};
+  constexpr int kFaces[20][3] = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
+                                 {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
+                                 {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
+                                 {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
+  std::vector<Triangle> faces;
+  for (const auto& f : kFaces)
+    faces.push_back({glm::normalize(v[f[0]]), glm::normalize(v[f[1]]), glm::normalize(v[f[2]])});
+  return faces;
+}
+
+std::vector<Triangle> split(const std::vector<Triangle>& faces) {
+  std::vector<Triangle> result;
+  result.reserve(4 * faces.size());
+  for (const auto& [a, b, c] : faces) {
+    const glm::dvec3 ab = glm::normalize(a + b), bc = glm::normalize(b + c),
+                     ca = glm::normalize(c + a);
+    result.insert(result.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+  }
+  return result;
+}
+
+}  // namespace
+
+void add_box(Scene& scene, const Box& box, std::uint32_t material, bool inwards) {
+  const auto corner = [&](double u, double v, double w) {
+    return on_grid(box.centre + box.axes * (glm::dvec3(u, v, w) * box.half_size));
+  };
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double side : {-1.0, 1.0}) {
+      // (u, v, axis) are cyclic, so going u then v turns counter-clockwise seen from the + side.
+      const bool reversed = (side < 0.0) != inwards;
+      const double uv[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+      std::vector<glm::dvec3> corners;
+      for (int k = 0; k < 4; ++k) {
+        const double* at = uv[reversed ? 3 - k : k];
+        glm::dvec3 p;
+        p[axis] = side;
+        p[(axis + 1) % 3] = at[0];
+        p[(axis + 2) % 3] = at[1];
+        corners.push_back(corner(p.x, p.y, p.z));
+      }
+      scene.add(corners, material);
+    }
+  }
+}
+
+void add_sphere(Scene& scene, const glm::dvec3& centre, double radius, double edge,
+                std::uint32_t material) {
+  std::vector<Triangle> faces = icosahedron();
+  double length = glm::length(faces[0][0] - faces[0][1]) * radius;
+  for (int level = 0; level < kMaxSphereLevel && length > edge * std::sqrt(2.0); ++level) {
+    faces = split(faces);
+    length /= 2.0;
+  }
+  for (const auto& [a, b, c] : faces)
+    scene.add(
+        {on_grid(centre + radius * a), on_grid(centre + radius * b), on_grid(centre + radius * c)},
+        material);
+}
+
+}  // namespace rc2::scene

@@ -1,0 +1,93 @@
+"""rc2 voxelize and rc2 compare."""
+
+import unittest
+
+from host import BAD_INPUT, DIFFERENT, DONE, ROOM, HostTest
+
+
+class Voxelize(HostTest):
+    def test_both_machines_dump_the_same_voxels(self):
+        for scene in (ROOM, "shells:10:4"):
+            golden = self.succeed("voxelize", scene, "--n", 12, "--dump", "golden.csv")
+            cycle = self.succeed("voxelize", scene, "--n", 12, "--machine", "cycle", "--dump",
+                                 "cycle.csv")
+            self.succeed("compare", "golden.csv", "cycle.csv")
+            header, rows = self.rows("golden.csv")
+            self.assertEqual(header, "x,y,z,facet")
+            self.assertRegex(golden, rf"voxels occupied +{len(rows)}\n")
+            self.assertNotIn("cycles", golden)
+            self.assertIn("clock cycles", cycle)
+
+    def test_the_dump_of_a_run_has_the_same_voxels(self):
+        self.succeed("voxelize", "ball:3", "--n", 8, "--dump", "voxels.csv")
+        self.succeed("run", "ball:3", "--n", 8, "--dump", "run.csv")
+        self.assertEqual(self.rows("voxels.csv")[1], [row[:4] for row in self.rows("run.csv")[1]])
+
+    def test_it_writes_nothing_unless_told(self):
+        self.succeed("voxelize", "ball:3", "--n", 8)
+        self.assertEqual(self.files(), [])
+
+    def test_bad_input(self):
+        self.refuse("voxelize", "nowhere.obj", says="nowhere.obj")
+        self.refuse("voxelize", "room", "--n", 1, says="--n 1")
+        self.refuse("voxelize", "room", "--light", "1,2,3", says="--light")
+        self.refuse("voxelize", "room", "--n", 8, "--dump", "no/folder.csv", says="no/folder.csv")
+
+
+class Compare(HostTest):
+    left = "x,y,z,facet,light0\n1,0,0,5,7\n2,0,0,5,0\n0,0,1,6,1\n"
+
+    def compare(self, left, right):
+        self.write("a.csv", left)
+        self.write("b.csv", right)
+        return self.rc2("compare", "a.csv", "b.csv")
+
+    def test_equal(self):
+        result = self.compare(self.left, self.left)
+        self.assertEqual((result.returncode, result.stderr), (DONE, ""))
+        self.assertEqual(result.stdout.split(), "voxels differing 0 owners differing 0 lights "
+                         "differing 0".split())
+
+    def test_every_kind_of_difference(self):
+        right = "x,y,z,facet,light0\n1,0,0,4,7\n2,0,0,5,3\n0,0,2,6,1\n"
+        result = self.compare(self.left, right)
+        self.assertEqual(result.returncode, DIFFERENT)
+        self.assertEqual(result.stderr, "")
+        self.assertEqual(result.stdout.splitlines(), [
+            "voxels differing  2",
+            "owners differing  1",
+            "lights differing  1",
+            "  voxel (1,0,0), facet: expected 5, got 4",
+            "  voxel (2,0,0), light0: expected 0, got 3",
+            "  voxel (0,0,1), facet: expected 6, got none",
+            "  voxel (0,0,2), facet: expected none, got 6",
+        ])
+
+    def test_only_the_first_ten_are_shown(self):
+        rows = "".join(f"{x},0,0,1\n" for x in range(30))
+        result = self.compare("x,y,z,facet\n" + rows, "x,y,z,facet\n")
+        self.assertEqual(result.stdout.splitlines()[0], "voxels differing  30")
+        self.assertEqual(len(result.stdout.splitlines()), 3 + 10)
+
+    def test_a_missing_light_differs(self):
+        result = self.compare(self.left, "x,y,z,facet\n1,0,0,5\n2,0,0,5\n0,0,1,6\n")
+        self.assertEqual(result.returncode, DIFFERENT)
+        self.assertIn("lights differing  3", result.stdout)
+
+    def test_a_bad_line_is_named(self):
+        for bad in ("", "x,y\n", "x,y,z,facet\n1,2,3\n", "x,y,z,facet\n1,2,3,4,5\n",
+                    "x,y,z,facet\n1,2,3,x\n", "x,y,z,facet\n1,2,3,4\n1,2,3,4\n", "\0" * 50):
+            self.write("good.csv", self.left)
+            self.write("bad.csv", bad)
+            self.refuse("compare", "good.csv", "bad.csv", says="bad.csv: line ")
+            self.refuse("compare", "bad.csv", "good.csv", says="bad.csv: line ")
+
+    def test_a_file_that_cannot_be_read(self):
+        self.write("good.csv", self.left)
+        self.refuse("compare", "good.csv", "none.csv", says="none.csv")
+        self.refuse("compare", ".", "good.csv")
+        self.assertEqual(self.rc2("compare", "good.csv").returncode, BAD_INPUT)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,48 @@
+// Packets as sets of voxels, by looking at every bound of every voxel of every box.
+#pragma once
+
+#include <vector>
+
+#include "sw/facet/packet.h"
+
+namespace rc2::facet {
+
+inline bool is_inside(const PacketStream& stream, const PacketHead& head, const glm::ivec3& p) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (p[axis] < head.lo[axis] || p[axis] > head.hi[axis]) return false;
+  const glm::ivec3 at = p - head.lo;
+  for (std::uint32_t i = 0; i < head.bound_count; ++i) {
+    const Bound& bound = stream.bounds[head.first_bound + i];
+    if (bound.a * at.x + bound.b * at.y + bound.c * at.z + bound.d < 0) return false;
+  }
+  return true;
+}
+
+class VoxelSet {
+ public:
+  VoxelSet(const PacketStream& stream, int n) : n_(n), bits_(static_cast<std::size_t>(n) * n * n) {
+    for (const PacketHead& head : stream.heads)
+      for (int z = head.lo.z; z <= head.hi.z; ++z)
+        for (int y = head.lo.y; y <= head.hi.y; ++y)
+          for (int x = head.lo.x; x <= head.hi.x; ++x)
+            if (is_inside(stream, head, {x, y, z})) bits_[index({x, y, z})] = true;
+  }
+
+  bool has(const glm::ivec3& p) const { return bits_[index(p)]; }
+
+  std::size_t count() const {
+    std::size_t result = 0;
+    for (const bool bit : bits_) result += bit;
+    return result;
+  }
+
+ private:
+  std::size_t index(const glm::ivec3& p) const {
+    return (static_cast<std::size_t>(p.z) * n_ + p.y) * n_ + p.x;
+  }
+
+  int n_;
+  std::vector<bool> bits_;
+};
+
+}  // namespace rc2::facet
