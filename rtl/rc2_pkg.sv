@@ -34,8 +34,8 @@ package rc2_pkg;
   localparam int unsigned CoordW = (N <= 2) ? 1 : $clog2(N);  // 0 .. N-1
   localparam int unsigned OffW = CoordW + 1;                  // signed -(N-1) .. N-1
   localparam int unsigned CountW = $clog2(N + 1);             // 0 .. N
-  // A plane coefficient is twice a projected area: at most (N*2^F)^2, and a sign.
-  localparam int unsigned CoefW = 2 * (CoordW + F) + 1;
+  // A plane coefficient is twice a projected area: at most (N*2^F)^2, which is reached; and a sign.
+  localparam int unsigned CoefW = 2 * (CoordW + F) + 2;
   // A bound's value at any cell: three coefficients times an extent of N voxels, half a slab, sign.
   localparam int unsigned DistW = 3 * CoordW + 2 * F + 3;
   localparam int unsigned FacetW = 20;

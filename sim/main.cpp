@@ -26,6 +26,10 @@ rc2::ExitCode run_program(int argc, char** argv) {
   rc2::declare_run(program, exit_code);
   rc2::declare_voxelize(program, exit_code);
   rc2::declare_compare(program, exit_code);
+  rc2::declare_lines(program, exit_code);
+  rc2::declare_tunnels(program, exit_code);
+  rc2::declare_network(program, exit_code);
+  rc2::declare_thesis(program, exit_code);
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& help_or_version) {
@@ -37,7 +41,7 @@ rc2::ExitCode run_program(int argc, char** argv) {
     throw rc2::Error(fmt::format("{}; see {} --help", error.what(), command));
   }
   if (program.get_subcommands().empty()) {
-    throw rc2::Error("there is nothing to do; say run, voxelize or compare, see rc2 --help");
+    throw rc2::Error("there is nothing to do; name a command, rc2 --help lists them");
   }
   return exit_code;
 }

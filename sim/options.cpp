@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "sw/machine/checks.h"
 #include "sw/scene/scene.h"
@@ -20,7 +21,7 @@ void check_range(const char* option, Number value, Number lowest, Number highest
   }
 }
 
-void complete_seed(std::string& scene, std::uint64_t seed) {
+void complete_seed(std::string& scene, std::int64_t seed) {
   const bool takes_seed = scene.rfind("shells:", 0) == 0 || scene.rfind("dust:", 0) == 0;
   if (takes_seed && std::count(scene.begin(), scene.end(), ':') == 1) {
     scene += fmt::format(":{}", seed);
@@ -97,6 +98,8 @@ void declare_run_options(CLI::App& command, RunOptions& options) {
 void check_options(SceneOptions& options) {
   check_range("--n", options.n, 2, kMaxSide);
   check_range("--fraction-bits", options.fraction_bits, 0, kMaxFractionBits);
+  // Signed here, because the command line would take -1 for a huge unsigned number.
+  check_range<std::int64_t>("--seed", options.seed, 0, std::numeric_limits<std::int64_t>::max());
   facet::parse_rule(options.rule);
   complete_seed(options.scene, options.seed);
 }

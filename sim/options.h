@@ -19,7 +19,7 @@ struct SceneOptions {
   std::string fit;  ///< "cube", "none", or empty: cube for a file, none for a generated scene
   int fraction_bits = 4;
   std::string rule = "armoured";
-  std::uint64_t seed = 1;
+  std::int64_t seed = 1;
   std::string dump;
 
   bool fitted() const;

@@ -92,11 +92,12 @@ module rc2_router (
   assign candidate[8] = source_beam;
 
   // ---- One arrival per cycle ---------------------------------------------------------------------
+  // Every light begins with the same place in turn, so the same light takes the same cycles.
   rc2_rotate #(
       .Ways(9)
   ) u_rotate (
       .clk_i    (clk_i),
-      .rst_ni   (rst_ni),
+      .rst_ni   (rst_ni && !start_i),
       .request_i(waiting),
       .take_i   (arrival_take_i),
       .grant_o  (grant)

@@ -29,8 +29,9 @@ constexpr int bits_for(long long count) {
 /// Bits of one coordinate (at least one, as in hardware).
 constexpr int coordinate_bits(int n) { return n <= 2 ? 1 : bits_for(n); }
 
-/// Signed bits of a plane coefficient: twice the largest projected area of a facet in the n-cube.
-constexpr int coefficient_bits(int n, int f) { return 2 * (coordinate_bits(n) + f) + 1; }
+/// Signed bits of a plane coefficient: twice a projected area, at most (n * 2^f)^2, a power of two
+/// that is reached when n is one and half a face of the cube is covered.
+constexpr int coefficient_bits(int n, int f) { return 2 * (coordinate_bits(n) + f) + 2; }
 
 /// Signed bits of a bound's offset at any cell of the grid (thesis 3.9: T and U).
 constexpr int offset_bits(int n, int f) { return 3 * coordinate_bits(n) + 2 * f + 3; }

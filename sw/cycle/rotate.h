@@ -7,7 +7,7 @@
 
 namespace rc2::cycle {
 
-/// Its place outlives a light, as in hardware.
+/// A new light starts with a new one, so the same light takes the same cycles.
 class Rotate {
  public:
   /// Grants the first request at or after the place that follows the last grant.

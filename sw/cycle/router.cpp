@@ -22,6 +22,7 @@ void Router::start(const LightJob& light) {
   std::fill(slots_.begin(), slots_.end(), 0);
   std::fill(incoming_.begin(), incoming_.end(), 0);
   std::fill(links_.begin(), links_.end(), 0);
+  std::fill(rotate_.begin(), rotate_.end(), Rotate{});
   source_.start(light);
   source_cell_ = cell_number(light.source.x, light.source.y, n_);
 }

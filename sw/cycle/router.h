@@ -28,8 +28,7 @@ class Router {
     return (slots_[cell] | incoming_[cell] | links_[cell]) != 0 || has_source(cell);
   }
 
-  // ---- Phase 1
-  // -----------------------------------------------------------------------------------
+  // ---- Phase 1 ---------------------------------------------------------------------------
   /// Moves the beams on the cell's links whose neighbour has room; calls `reached(neighbour)` for
   /// each. Returns whether there was one.
   template <typename Reached>
@@ -49,8 +48,7 @@ class Router {
     return moved;
   }
 
-  // ---- Phase 2
-  // -----------------------------------------------------------------------------------
+  // ---- Phase 2 ---------------------------------------------------------------------------
   /// Output buffers that cannot be written in this cycle.
   std::uint8_t full_links(std::size_t cell) const { return links_[cell]; }
 

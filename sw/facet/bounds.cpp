@@ -5,7 +5,6 @@
 #include <cstdlib>
 #include <glm/common.hpp>
 
-#include "sw/base/config.h"
 
 namespace rc2::facet {
 namespace {
@@ -112,12 +111,6 @@ Vertex plane_normal(const Border& border) {
   Vertex normal = cross(border[1] - border[0], border[2] - border[1]);
   const std::int64_t any = normal.x | normal.y | normal.z;
   return normal / (any & -any);
-}
-
-bool fits_coefficients(const Vertex& normal, int n, int fraction_bits) {
-  // Both signs of the normal are sent.
-  const std::int64_t limit = std::int64_t{1} << (coefficient_bits(n, fraction_bits) - 1);
-  return std::abs(normal[dominant_axis(normal)]) < limit;
 }
 
 bool append_packet(const Border& border, const Vertex& normal, std::uint32_t facet,

@@ -16,7 +16,7 @@ namespace {
 class Builder {
  public:
   Builder(const scene::Scene& scene, int n, int fraction_bits, Rule rule)
-      : scene_(scene), grid_{n, std::int64_t{1} << fraction_bits, rule}, bits_(fraction_bits) {}
+      : scene_(scene), grid_{n, std::int64_t{1} << fraction_bits, rule} {}
 
   FacetSet build() {
     const std::size_t polygons = scene_.polygon_count(), corners = scene_.vertices.size();
@@ -85,11 +85,6 @@ class Builder {
 
   void add_facet(const Border& border, std::size_t polygon) {
     const Vertex normal = plane_normal(border);
-    if (!fits_coefficients(normal, grid_.n, bits_))
-      throw Error(
-          fmt::format("{}: polygon {} is so large that its plane needs more than {} bits; "
-                      "use --fit cube",
-                      scene_.name, polygon, coefficient_bits(grid_.n, bits_)));
     if (set_.facets.size() == kMaxFacets)
       throw Error(
           fmt::format("{}: there are more than {} facets, the most the machine can number; "
@@ -104,7 +99,6 @@ class Builder {
 
   const scene::Scene& scene_;
   Grid grid_;
-  int bits_;
   FacetSet set_;
   Border border_;
   std::vector<Triangle> triangles_;

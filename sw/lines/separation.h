@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 #include "sw/lines/neighbourhood.h"
@@ -13,10 +14,10 @@ namespace rc2::lines {
 template <class IsFree>
 std::vector<glm::ivec3> find_ray(glm::ivec3 size, Adjacency rays, const IsFree& is_free) {
   const auto index = [&](glm::ivec3 at) {
-    return static_cast<std::size_t>((at.z * size.y + at.y) * size.x + at.x);
+    return static_cast<std::size_t>((std::ptrdiff_t{at.z} * size.y + at.y) * size.x + at.x);
   };
   constexpr int kUnseen = -2, kEntry = -1;
-  std::vector<int> before(static_cast<std::size_t>(size.x * size.y * size.z), kUnseen);
+  std::vector<int> before(index({0, 0, size.z}), kUnseen);
   std::vector<glm::ivec3> seen;  // in the order of their distance
   const auto see = [&](glm::ivec3 at, int from) {
     if (before[index(at)] != kUnseen || !is_free(at)) return;

@@ -21,11 +21,10 @@ std::vector<std::uint8_t> draw(const Network& network, const std::vector<int>& a
 
 Network build(Shape shape, int size, Scheme scheme) {
   if (size < 1 || size > kMaxSize) {
-    throw Error(fmt::format("A network of size {} cannot be built: say 1 to {}.", size, kMaxSize));
+    throw Error(fmt::format("a network of size {} cannot be built; say 1 to {}", size, kMaxSize));
   }
   if (scheme.fan_out < 1) {
-    throw Error(
-        fmt::format("A tree of fan-out {} has no branches: say 1 or more.", scheme.fan_out));
+    throw Error(fmt::format("a tree of fan-out {} has no branches; say 1 or more", scheme.fan_out));
   }
   return shape == Shape::Circles ? build_circles(size, scheme) : build_segments(size, scheme);
 }
@@ -45,14 +44,14 @@ Scheme scheme_of(const std::string& name) {
     }
   }
   throw Error(fmt::format(
-      "The scheme '{}' is not known: say star, chain, tree, nearest or tree:F with F from 1 to {}.",
+      "the scheme '{}' is not known; say star, chain, tree, nearest or tree:F with F from 1 to {}",
       name, kStar));
 }
 
 Shape shape_of(const std::string& name) {
   if (name == "circles") return Shape::Circles;
   if (name == "segments") return Shape::Segments;
-  throw Error(fmt::format("The shape '{}' is not known: say circles or segments.", name));
+  throw Error(fmt::format("the shape '{}' is not known; say circles or segments", name));
 }
 
 }  // namespace rc2::network

@@ -4,17 +4,16 @@
 
 #include <boost/dynamic_bitset.hpp>
 #include <cstdint>
-#include <deque>
-#include <vector>
 
-#include "sw/thesis/setup.h"
+#include "sw/thesis/experiment.h"
+#include "sw/thesis/queues.h"
 
 namespace rc2::thesis {
 
 class Engine {
  public:
   /// The cones are in the source's queue, no cycle has passed. Throws std::bad_alloc.
-  explicit Engine(Setup setup);
+  explicit Engine(Experiment experiment);
 
   bool done() const { return busy_.none(); }
 
@@ -44,20 +43,24 @@ class Engine {
     std::size_t cell;
     Place place;
   };
-  using Deliveries = boost::container::static_vector<Delivery, 9>;
+  // What serving a beam does: sub-beams for cells, and targets whose way ends here.
+  struct Service {
+    boost::container::static_vector<Delivery, 9> deliveries;
+    std::int64_t home = 0;
+  };
 
   std::size_t cell_at(glm::ivec3 voxel) const;
   std::size_t voxel_at(glm::ivec3 voxel) const;
   bool inside(glm::ivec3 voxel) const;
 
-  Deliveries deliveries(const Place& place) const;
-  bool must_wait(std::size_t cell, const Deliveries& deliveries) const;
+  Service service(const Place& place) const;
+  bool must_wait(std::size_t cell, const Service& service) const;
   void serve(std::size_t cell);
   void push(std::size_t cell, const Place& place);
 
-  Setup setup_;
+  Experiment experiment_;
   Partition partition_;
-  std::vector<std::deque<Place>> queues_;
+  Queues<Place> queues_;
   boost::dynamic_bitset<> busy_, serving_, reached_;
   std::int64_t cycles_ = 0, visits_ = 0, longest_queue_ = 0, targets_ = 0, home_ = 0;
 };
@@ -67,7 +70,7 @@ struct Cost {
   std::int64_t cycles, longest_queue, visits;
 };
 
-/// Runs a set-up to its end. Throws std::logic_error if a target is lost or doubled.
-Cost run(const Setup& setup);
+/// Runs an experiment to its end. Throws std::logic_error if a target is lost or doubled.
+Cost run(const Experiment& experiment);
 
 }  // namespace rc2::thesis

@@ -22,58 +22,10 @@ constexpr int kDigits = 6;      // a label has room for so many
 constexpr int kDigitPixel = 3;  // side of a dot of a digit
 constexpr int kDigitStep = 4 * kDigitPixel;
 
-// Three dots wide, five high, from the top left.
+// Digits three dots wide and five high, row after row.
 constexpr std::array<const char*, 10> kFont = {
-    "###"
-    "# #"
-    "# #"
-    "# #"
-    "###",
-    "  #"
-    "  #"
-    "  #"
-    "  #"
-    "  #",
-    "###"
-    "  #"
-    "###"
-    "#  "
-    "###",
-    "###"
-    "  #"
-    "###"
-    "  #"
-    "###",
-    "# #"
-    "# #"
-    "###"
-    "  #"
-    "  #",
-    "###"
-    "#  "
-    "###"
-    "  #"
-    "###",
-    "###"
-    "#  "
-    "###"
-    "# #"
-    "###",
-    "###"
-    "  #"
-    "  #"
-    "  #"
-    "  #",
-    "###"
-    "# #"
-    "###"
-    "# #"
-    "###",
-    "###"
-    "# #"
-    "###"
-    "  #"
-    "###"};
+    "####.##.##.####", "..#..#..#..#..#", "###..#####..###", "###..####..####", "#.##.####..#..#",
+    "####..###..####", "####..####.####", "###..#..#..#..#", "####.#####.####", "####.####..####"};
 
 class Sheet {
  public:
@@ -97,9 +49,7 @@ class Sheet {
 
  private:
   int slice() const { return n_ * square_; }
-  int slice_left(int index) const {
-    return kGap + kDigits * kDigitStep + index * (slice() + kGap);
-  }
+  int slice_left(int index) const { return kGap + kDigits * kDigitStep + index * (slice() + kGap); }
 
   void fill(int left, int top, int side, Colour colour) {
     for (int row = top; row < top + side; ++row) {
@@ -123,9 +73,9 @@ class Sheet {
       if (digits[i] == ' ') continue;
       const char* dots = kFont[static_cast<std::size_t>(digits[i] - '0')];
       for (int dot = 0; dot < 15; ++dot) {
-        if (dots[dot] == ' ') continue;
-        fill(static_cast<int>(i) * kDigitStep + dot % 3 * kDigitPixel,
-             top_ + dot / 3 * kDigitPixel, kDigitPixel, kBlack);
+        if (dots[dot] == '.') continue;
+        fill(static_cast<int>(i) * kDigitStep + dot % 3 * kDigitPixel, top_ + dot / 3 * kDigitPixel,
+             kDigitPixel, kBlack);
       }
     }
   }
@@ -137,15 +87,11 @@ class Sheet {
 
 }  // namespace
 
-ContactSheet draw_contact_sheet(const Setup& setup, const std::vector<std::int64_t>& times) {
-  if (setup.n > kMaxSheetSide) {
-    throw Error(fmt::format("--n {}: a row of snapshots has n slices of n squares and would be too "
-                            "wide; choose at most {}",
-                            setup.n, kMaxSheetSide));
-  }
+ContactSheet draw_contact_sheet(const Experiment& experiment,
+                                const std::vector<std::int64_t>& times) {
   ContactSheet result;
-  Sheet sheet(setup.n, times.size() + 1);
-  Engine engine(setup);
+  Sheet sheet(experiment.n, times.size() + 1);
+  Engine engine(experiment);
   const auto add_row = [&] {
     sheet.add_row(engine);
     result.times.push_back(engine.cycles());
@@ -158,9 +104,10 @@ ContactSheet draw_contact_sheet(const Setup& setup, const std::vector<std::int64
     }
   }
   if (next != times.end()) {
-    throw Error(fmt::format("--times {}: the diffusion is over after {} cycles; choose earlier "
-                            "times, each one later than the one before",
-                            *next, engine.cycles()));
+    throw Error(
+        fmt::format("--times {}: the diffusion is over after {} cycles; choose earlier "
+                    "times, each one later than the one before",
+                    *next, engine.cycles()));
   }
   add_row();
   result.raster = sheet.take();

@@ -9,23 +9,14 @@ namespace {
 
 void check_range(const char* option, Range range, int lowest, int highest) {
   if (range.first < lowest || range.last > highest || range.first > range.last) {
-    throw Error(fmt::format("{} {}..{} is no range of this table; choose A..B with {} <= A <= B <= {}",
-                            option, range.first, range.last, lowest, highest));
+    throw Error(
+        fmt::format("{} {}..{} is no range of this table; choose A..B with {} <= A <= B <= {}",
+                    option, range.first, range.last, lowest, highest));
   }
 }
 
-void check(const TableRequest& request) {
-  check_range("--n", request.n, request.table == Table::kFaMax ? 1 : 2, kMaxSide);
-  if (request.table == Table::kFaSweep) {
-    if (!request.fa) throw Error("the table fa_sweep needs its queues; add --fa A..B");
-    check_range("--fa", *request.fa, 1, kMaxFa);
-  } else if (request.fa) {
-    throw Error("only the table fa_sweep has a choice of queues; leave --fa out");
-  }
-}
-
-std::string compare_modes(int n, const char* cones, const Setup& beams) {
-  const Setup rays = one_by_one(beams);
+std::string compare_modes(int n, const char* cones, const Experiment& beams) {
+  const Experiment rays = one_by_one(beams);
   const Cost slow = run(rays);
   const Cost fast = run(beams);
   return fmt::format("{},{},{},{},{},{},{}\n", n, cones, rays.cones.size(), slow.cycles,
@@ -71,8 +62,17 @@ double work_up_to(int n) {
 
 }  // namespace
 
+void check(const TableRequest& request) {
+  check_range("--n", request.n, request.table == Table::kFaMax ? 1 : 2, kMaxSide);
+  if (request.table == Table::kFaSweep) {
+    if (!request.fa) throw Error("the table fa_sweep needs its queues; add --fa A..B");
+    check_range("--fa", *request.fa, 1, kMaxFa);
+  } else if (request.fa) {
+    throw Error("only the table fa_sweep has a choice of queues; leave --fa out");
+  }
+}
+
 std::string to_csv(const TableRequest& request, const Progress& progress) {
-  check(request);
   const Range queues = request.fa.value_or(Range{1, 1});
   const double begin = work_up_to(request.n.first - 1);
   const double all = work_up_to(request.n.last) - begin;

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "sw/machine/machine.h"
-#include "sw/thesis/setup.h"
+#include "sw/thesis/experiment.h"
 
 namespace rc2::thesis {
 
@@ -28,9 +28,12 @@ struct TableRequest {
   Conflict conflict = Conflict::kHeadWaits;
 };
 
-/// The table as CSV with a heading; t counts cycles. Columns of kModes: n, the cones sent (plane: one
-/// octant of a plane; x, z: that cone; xyz: three cones; all from the corner), their rays, and for
-/// either mode the cycles and the beams served. Throws Error if a range is out of bounds.
+/// Throws Error if a range is out of bounds, missing, or has no meaning for the table.
+void check(const TableRequest& request);
+
+/// A request that was checked, as CSV with a heading; t counts cycles. Columns of kModes: n, the
+/// cones sent (plane: one octant of a plane; x, z: that cone; xyz: three cones; all from the
+/// corner), their rays, and for either mode the cycles and the beams served.
 std::string to_csv(const TableRequest& request, const Progress& progress);
 
 }  // namespace rc2::thesis

@@ -85,7 +85,7 @@ class GeneratedNames(HostTest):
 
 class Options(HostTest):
     def test_unknown_or_incomplete(self):
-        self.refuse(says="rc2 --help")
+        self.refuse(says="rc2 --help lists them")
         self.refuse("paint", says="paint")
         self.refuse("run", says="SCENE")
         self.refuse("run", "room", "--colour", says="--colour")

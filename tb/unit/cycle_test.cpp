@@ -76,7 +76,7 @@ PacketStream dust(Random& random, int n, double share) {
 }
 
 PacketStream random_scene(Random& random, int n) {
-  const std::int64_t largest = (std::int64_t{1} << (coefficient_bits(n, 4) - 1)) - 1;
+  const std::int64_t largest = std::int64_t{1} << (2 * (coordinate_bits(n) + 4));
   switch (pick(random, 0, 3)) {
     case 0:
       return dust(random, n, 0.1);
@@ -350,7 +350,8 @@ TEST(CycleRotate, LetsNobodyWaitForMoreThanEveryOtherOnce) {
     const unsigned granted = rotate.take(requests);
     ASSERT_NE(requests >> granted & 1U, 0U);
     for (unsigned way = 0; way < waited.size(); ++way) {
-      if ((requests >> way & 1U) != 0 && way != granted) ASSERT_LE(++waited[way], 8);
+      if ((requests >> way & 1U) == 0 || way == granted) continue;
+      ASSERT_LE(++waited[way], 8);
     }
     waited[granted] = 0;
     if (pick(random, 0, 1) == 0) requests &= ~(1U << granted);

@@ -101,7 +101,7 @@ TEST(GoldenLoad, FillsWhatEveryBoundAllows) {
   std::size_t filled = 0;
   for (int round = 0; round < 1000; ++round) {
     const int n = pick(random, 2, 12);
-    const std::int64_t largest = (std::int64_t{1} << (coefficient_bits(n, 4) - 1)) - 1;
+    const std::int64_t largest = std::int64_t{1} << (2 * (coordinate_bits(n) + 4));
     const std::int64_t scale = std::min<std::int64_t>(largest, round % 3 == 0 ? 3 : largest);
     const PacketStream stream = random_packets(random, n, pick(random, 1, 12), scale);
     GoldenMachine machine(machine_config(n));

@@ -5,6 +5,7 @@
 #include <boost/rational.hpp>
 #include <cmath>
 #include <map>
+#include <ostream>
 #include <random>
 
 #include "sw/lines/algorithms.h"
@@ -14,7 +15,9 @@
 
 namespace rc2::lines {
 
-void PrintTo(const Algorithm& algorithm, std::ostream* out) { *out << algorithm.name; }
+std::ostream& operator<<(std::ostream& out, const Algorithm& algorithm) {
+  return out << algorithm.name;
+}
 
 namespace {
 
@@ -138,7 +141,7 @@ bool is_halved(glm::ivec3 from, glm::ivec3 way, I64 steps, I64 k, glm::ivec3 at,
 bool is_met(glm::ivec3 from, glm::ivec3 way, glm::ivec3 at) {
   I64 low = 0, low_of = 1, high = 1, high_of = 1;
   for (int axis = 0; axis < 3; ++axis) {
-    const I64 centre = 2 * (at[axis] - from[axis]), length = 2 * std::abs(way[axis]);
+    const I64 centre = I64{2} * (at[axis] - from[axis]), length = I64{2} * std::abs(way[axis]);
     const I64 offset = way[axis] < 0 ? -centre : centre;
     if (length == 0) {
       if (centre != 0) return false;

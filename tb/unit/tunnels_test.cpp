@@ -1,6 +1,7 @@
 // Connectivity, separation, and the tables of figures 2.9 and 2.11.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <map>
 #include <random>
@@ -34,18 +35,21 @@ bool is_linked(const VoxelSet& set, glm::ivec3 a, glm::ivec3 b, Adjacency adjace
   return piece.at(a) == piece.at(b);
 }
 
-// The thesis's definition (2.1), word by word.
-bool has_connectivity(const VoxelSet& set, Adjacency adjacency) {
-  for (const glm::ivec3& a : set) {
-    for (const glm::ivec3& b : set) {
-      if (!are_neighbours(a, b, kCorner)) continue;
-      VoxelSet of_both = {a, b};
-      for (const glm::ivec3& c : set)
-        if (are_neighbours(a, c, kCorner) && are_neighbours(b, c, kCorner)) of_both.insert(c);
-      if (!is_linked(of_both, a, b, adjacency)) return false;
-    }
+// The thesis's definition (2.1), word by word, for the pairs that one voxel belongs to.
+bool has_connectivity(const VoxelSet& set, glm::ivec3 a, Adjacency adjacency) {
+  for (const glm::ivec3& b : set) {
+    if (!are_neighbours(a, b, kCorner)) continue;
+    VoxelSet of_both = {a, b};
+    for (const glm::ivec3& c : set)
+      if (are_neighbours(a, c, kCorner) && are_neighbours(b, c, kCorner)) of_both.insert(c);
+    if (!is_linked(of_both, a, b, adjacency)) return false;
   }
   return true;
+}
+
+bool has_connectivity(const VoxelSet& set, Adjacency adjacency) {
+  return std::all_of(set.begin(), set.end(),
+                     [&](const glm::ivec3& at) { return has_connectivity(set, at, adjacency); });
 }
 
 VoxelSet voxels_of(const WindowSet& window) {
@@ -85,6 +89,21 @@ TEST(Neighbourhood, StepsGoThroughFacesThenEdgesThenCorners) {
     for (std::size_t i = 0; i < kSteps.size(); ++i)
       EXPECT_EQ(are_neighbours({0, 0, 0}, kSteps[i], adjacency),
                 i < static_cast<std::size_t>(adjacency));
+}
+
+TEST(Neighbourhood, ConnectivityIsTheDefinitionOnRandomSets) {
+  std::mt19937 random(21);
+  std::map<Adjacency, int> seen;
+  constexpr glm::ivec3 kCentre(1, 1, 1);
+  for (int i = 0; i < 2000; ++i) {
+    const VoxelSet set = random_set(random);
+    const auto has = [&](glm::ivec3 at) { return at == kCentre || set.count(at) != 0; };
+    const Adjacency local = local_connectivity(neighbourhood(kCentre, has));
+    ++seen[local];
+    for (const Adjacency adjacency : kAdjacencies)
+      ASSERT_EQ(has_connectivity(set, kCentre, adjacency), local <= adjacency);
+  }
+  EXPECT_EQ(seen.size(), 3U);
 }
 
 TEST(Connectivity, IsTheDefinitionOnRandomSets) {

@@ -1,4 +1,4 @@
-#include "sw/thesis/setup.h"
+#include "sw/thesis/experiment.h"
 
 #include <algorithm>
 #include <utility>
@@ -10,27 +10,27 @@ namespace {
 // need a face to aim at all the same.
 int thesis_distance(int n) { return std::max(1, n - 1); }
 
-Setup from_corner(int n, std::vector<Beam> cones) {
+Experiment from_corner(int n, std::vector<Beam> cones) {
   return {n, thesis_distance(n), glm::ivec3(0), std::move(cones), {}};
 }
 
 }  // namespace
 
-Setup one_cone(int n, int axis) {
+Experiment one_cone(int n, int axis) {
   const Interval quarter{0, thesis_distance(n)};
   return from_corner(n, {{axis, 1, quarter, quarter}});
 }
 
-Setup corner(int n, std::optional<int> fa, Conflict conflict) {
+Experiment corner(int n, std::optional<int> fa, Conflict conflict) {
   const Interval quarter{0, thesis_distance(n)};
-  Setup setup = from_corner(
+  Experiment experiment = from_corner(
       n, {{0, 1, quarter, quarter}, {1, 1, quarter, quarter}, {2, 1, quarter, quarter}});
-  setup.fa = fa;
-  setup.conflict = conflict;
-  return setup;
+  experiment.fa = fa;
+  experiment.conflict = conflict;
+  return experiment;
 }
 
-Setup centre(int n, std::optional<int> fa, Conflict conflict) {
+Experiment centre(int n, std::optional<int> fa, Conflict conflict) {
   const int distance = thesis_distance(n);
   const Interval face{-distance, distance};
   std::vector<Beam> cones;
@@ -40,19 +40,19 @@ Setup centre(int n, std::optional<int> fa, Conflict conflict) {
   return {n, distance, glm::ivec3((n - 1) / 2), std::move(cones), fa, conflict};
 }
 
-Setup plane(int n) { return from_corner(n, {{0, 1, {0, thesis_distance(n)}, {0, 0}}}); }
+Experiment plane(int n) { return from_corner(n, {{0, 1, {0, thesis_distance(n)}, {0, 0}}}); }
 
-Setup one_by_one(Setup setup) {
+Experiment one_by_one(Experiment experiment) {
   std::vector<Beam> rays;
-  for (const Beam& cone : setup.cones) {
+  for (const Beam& cone : experiment.cones) {
     for (int v = cone.v.first; v <= cone.v.last; ++v) {
       for (int u = cone.u.first; u <= cone.u.last; ++u) {
         rays.push_back({cone.axis, cone.side, {u, u}, {v, v}});
       }
     }
   }
-  setup.cones = std::move(rays);
-  return setup;
+  experiment.cones = std::move(rays);
+  return experiment;
 }
 
 }  // namespace rc2::thesis

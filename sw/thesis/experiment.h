@@ -9,8 +9,8 @@
 
 namespace rc2::thesis {
 
-constexpr int kMaxSide = 512;      ///< a larger diffusion takes many minutes
-constexpr int kMaxFa = 1 << 20;    ///< no queue ever holds as many beams
+constexpr int kMaxSide = 512;    ///< a larger diffusion takes many minutes
+constexpr int kMaxFa = 1 << 20;  ///< no queue ever holds as many beams
 
 /// What becomes of the beam at the head of a queue when a receiving cell is full (thesis 4.4.2).
 enum class Conflict {
@@ -19,7 +19,7 @@ enum class Conflict {
 };
 
 /// An empty cube of n^3 voxels and the beams that its source sends.
-struct Setup {
+struct Experiment {
   int n;
   int distance;             ///< L of the virtual faces, in voxels
   glm::ivec3 source;        ///< a voxel
@@ -28,20 +28,20 @@ struct Setup {
   Conflict conflict = Conflict::kHeadWaits;
 };
 
-/// One cone towards the upper face of `axis`, from the corner (0, 0, 0), queues without end. Along z
-/// it is the table of longest queues.
-Setup one_cone(int n, int axis);
+/// One cone towards the upper face of `axis`, from the corner (0, 0, 0), queues without end. Along
+/// z it is the table of longest queues.
+Experiment one_cone(int n, int axis);
 
 /// The tables of queues of a given length: the cones +x, +y, +z from the corner.
-Setup corner(int n, std::optional<int> fa, Conflict conflict = Conflict::kHeadWaits);
+Experiment corner(int n, std::optional<int> fa, Conflict conflict = Conflict::kHeadWaits);
 
 /// The pages of snapshots: the cones +x, -x, +y, -y, +z, -z from voxel (n-1)/2 on each axis.
-Setup centre(int n, std::optional<int> fa, Conflict conflict = Conflict::kHeadWaits);
+Experiment centre(int n, std::optional<int> fa, Conflict conflict = Conflict::kHeadWaits);
 
 /// One octant of a plane (thesis 4.3.1): a fan of rays along x, in the plane z = 0.
-Setup plane(int n);
+Experiment plane(int n);
 
 /// The same rays sent one after another (thesis 4.2.4): a queue of beams of one target each.
-Setup one_by_one(Setup setup);
+Experiment one_by_one(Experiment experiment);
 
 }  // namespace rc2::thesis
