@@ -5,6 +5,8 @@
 ##   setup     installs what is missing on a Debian 12; every target below but clean does it first
 ##   build     the program, build/rc2 (try build/rc2 --help)
 ##   sim       lights scenes on the machine: pictures, waveforms and report.html under out/
+##   thesis    the tables and snapshots of the thesis's own simulations, beside the printed ones
+##   chapter2  the line algorithms and tunnel tables of thesis chapter 2, as docs/lines.md shows them
 ##   test      every test; the last line is their summary
 ##   lint      verilator -Wall, yosys on every module alone, clang-format, clang-tidy
 ##   sanitize  the software's tests with address and undefined-behaviour sanitizers
@@ -70,7 +72,7 @@ cmake_build := cmake --build build -j $(jobs) --target
 test_sizes := 4 5 8 16
 known_sizes := $(test_sizes) 32
 
-.PHONY: help setup build sim test lint sanitize rtl format clean
+.PHONY: help setup build sim thesis chapter2 test lint sanitize rtl format clean
 .NOTPARALLEL:
 
 help:
@@ -97,6 +99,12 @@ rtl: build/build.ninja
 
 sim: build $(if $(filter rtl,$(MACHINE)),rtl)
 	@scripts/sim $(foreach word,$(the_words),'$(word)=$(subst ','\'',$($(word)))')
+
+thesis: build
+	@scripts/thesis '$(OUT)/thesis'
+
+chapter2: build
+	@scripts/chapter2 '$(OUT)/chapter2'
 
 test: build/build.ninja
 	$(cmake_build) all $(test_sizes:%=rtl_n%)

@@ -33,7 +33,7 @@ struct RunOptions : SceneOptions {
   std::string out = "out";
   std::string waves;
   std::int64_t waves_from = 0;
-  std::int64_t waves_cycles = 2000;
+  std::int64_t waves_cycles = 10000;
 
   int distance() const { return target_distance.value_or(2 * n); }
 };

@@ -53,7 +53,7 @@ std::optional<int> number(std::string_view text) {
 Range parse_range(const char* option, std::string_view text) {
   const auto dots = text.find("..");
   const auto first = number(text.substr(0, dots));
-  const auto last = dots == text.npos ? first : number(text.substr(dots + 2));
+  const auto last = dots == std::string_view::npos ? first : number(text.substr(dots + 2));
   if (!first || !last) {
     throw Error(
         fmt::format("{} {} is neither a number nor a range; write 16 or 2..64", option, text));

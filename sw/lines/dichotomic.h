@@ -1,21 +1,20 @@
 #pragma once
 
-#include <utility>
-
 #include "sw/lines/segment.h"
 
 namespace rc2::lines {
 namespace detail {
 
-// Visits the voxels strictly between a and b.
+// Visits the voxels strictly between a and b, which are `steps` apart.
 template <class Visit>
-void halve(glm::ivec3 a, glm::ivec3 b, bool towards_a, Visit& visit) {
-  if (steps_between(a, b) <= 1) return;
+void halve(glm::ivec3 a, glm::ivec3 b, int steps, bool towards_a, Visit& visit) {
+  if (steps <= 1) return;
   const glm::ivec3 half = (b - a) / 2;  // rounded towards zero
   const glm::ivec3 middle = towards_a ? a + half : b - half;
-  halve(a, middle, towards_a, visit);
+  const int before = towards_a ? steps / 2 : steps - steps / 2;
+  halve(a, middle, before, towards_a, visit);
   visit(middle);
-  halve(middle, b, towards_a, visit);
+  halve(middle, b, steps - before, towards_a, visit);
 }
 
 }  // namespace detail
@@ -35,7 +34,7 @@ void dichotomic(glm::ivec3 from, glm::ivec3 to, Visit&& visit) {
   if (from == to) return;
   const glm::ivec3 way = to - from;
   const int first = way.x != 0 ? way.x : (way.y != 0 ? way.y : way.z);
-  detail::halve(from, to, first > 0, visit);
+  detail::halve(from, to, steps_between(from, to), first > 0, visit);
   visit(to);
 }
 

@@ -29,7 +29,7 @@ std::string verilog(const Network& network, const std::string& module) {
                  module, network.size, bits - 1);
   std::vector<std::string> pixels(bits, "1'b0");
   for (int cell = 0; cell < count; ++cell) {
-    // A reduction, so that a cell of one input is a gate to the tools as well.
+    // A reduction rather than a | b | c, which tools would read as a chain of gates.
     fmt::format_to(out, "  wire {} = |{{{}}};\n", wire(cell), inputs[cell]);
     pixels[output_bit(network.cells[cell])] = wire(cell);
   }

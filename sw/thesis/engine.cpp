@@ -46,10 +46,16 @@ bool Engine::inside(glm::ivec3 voxel) const {
 // A beam that arrives in this cycle is served in the next one at the earliest, whichever way it
 // goes: who is to be served is settled before anyone is.
 void Engine::step() {
+  const std::int64_t before = visits_;
   ++cycles_;
   serving_ = busy_;
-  for (auto cell = serving_.find_first(); cell != serving_.npos; cell = serving_.find_next(cell)) {
+  for (auto cell = serving_.find_first(); cell != boost::dynamic_bitset<>::npos;
+       cell = serving_.find_next(cell)) {
     serve(cell);
+  }
+  if (visits_ == before) {
+    throw std::logic_error(fmt::format("thesis engine, n = {}: deadlock in cycle {} of {} cells",
+                                       experiment_.n, cycles_, serving_.count()));
   }
 }
 

@@ -17,7 +17,8 @@ class Engine {
 
   bool done() const { return busy_.none(); }
 
-  /// One cycle: every cell that has a beam serves the oldest one, or cannot.
+  /// One cycle: every cell that has a beam serves the oldest one, or lets it wait. Not to be called
+  /// when done. Throws std::logic_error on a deadlock.
   void step();
 
   std::int64_t cycles() const { return cycles_; }
@@ -70,7 +71,8 @@ struct Cost {
   std::int64_t cycles, longest_queue, visits;
 };
 
-/// Runs an experiment to its end. Throws std::logic_error if a target is lost or doubled.
+/// Runs an experiment to its end. Throws std::logic_error on a deadlock, and if a target is lost or
+/// doubled.
 Cost run(const Experiment& experiment);
 
 }  // namespace rc2::thesis

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <boost/container/static_vector.hpp>
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <vector>
@@ -48,7 +49,7 @@ class Partition {
   /// The targets whose rays are at `offset` after `steps` steps: those j for which it is the
   /// integer nearest to j * steps / distance, ties downwards. 1 <= steps <= n, |offset| <= n.
   Interval through(int offset, int steps) const {
-    const int* last = &last_[static_cast<std::size_t>((steps - 1) * (2 * n_ + 2) + offset + n_)];
+    const int* last = last_.data() + std::ptrdiff_t{steps - 1} * (2 * n_ + 2) + offset + n_;
     return {last[0] + 1, last[1]};
   }
 

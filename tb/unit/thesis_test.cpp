@@ -89,7 +89,10 @@ Voxels reached(const Engine& engine, int n) {
   return voxels;
 }
 
-std::size_t cube(int n) { return static_cast<std::size_t>(n * n * n); }
+std::size_t cube(int n) {
+  const auto side = static_cast<std::size_t>(n);
+  return side * side * side;
+}
 
 // Every kind of set-up at side n, with short queues and long ones.
 std::vector<Experiment> all_experiments(int n) {
@@ -160,7 +163,7 @@ TEST(ThesisTable, RowsHaveTheColumnsOfThePrintedTables) {
   const std::string sweep = to_csv({Table::kFaSweep, {4, 5}, Range{2, 3}}, {});
   EXPECT_EQ(std::count(sweep.begin(), sweep.end(), '\n'), 5);
   EXPECT_EQ(sweep.substr(0, 11), "n,fa,t\n4,2,");
-  EXPECT_NE(sweep.find("\n5,3,"), sweep.npos);
+  EXPECT_NE(sweep.find("\n5,3,"), std::string::npos);
 }
 
 TEST(ThesisTable, RefusesRangesWithoutMeaning) {
@@ -278,7 +281,7 @@ std::pair<int, int> black_pixels(const ContactSheet& sheet, std::size_t row) {
   std::pair<int, int> black;
   for (int y = static_cast<int>(row) * height; y < static_cast<int>(row + 1) * height; ++y) {
     for (int x = label; x < raster.width; ++x) {
-      const auto& pixel = raster.pixels[static_cast<std::size_t>(y * raster.width + x)];
+      const auto& pixel = raster.pixels.begin()[std::ptrdiff_t{y} * raster.width + x];
       if (pixel == decltype(pixel){}) ++(x < array ? black.first : black.second);
     }
   }
@@ -290,18 +293,18 @@ TEST(ThesisSnapshots, ShowTheSourceFirstAndTheWholeCubeLast) {
   const ContactSheet sheet = draw_contact_sheet(experiment, {0, 10});
   const auto end = run(experiment).cycles;
   ASSERT_EQ(sheet.times, (std::vector<std::int64_t>{0, 10, end}));
-  constexpr int square = 8 * 8;
-  EXPECT_EQ(black_pixels(sheet, 0), std::pair(square, square));
-  EXPECT_EQ(black_pixels(sheet, 2), std::pair(8 * 8 * 8 * square, 0));
+  constexpr int kSquare = 8 * 8;
+  EXPECT_EQ(black_pixels(sheet, 0), std::pair(kSquare, kSquare));
+  EXPECT_EQ(black_pixels(sheet, 2), std::pair(8 * 8 * 8 * kSquare, 0));
 
   Engine engine(experiment);
   for (int cycle = 0; cycle < 10; ++cycle) engine.step();
-  EXPECT_EQ(black_pixels(sheet, 1).first, square * static_cast<int>(reached(engine, 8).size()));
+  EXPECT_EQ(black_pixels(sheet, 1).first, kSquare * static_cast<int>(reached(engine, 8).size()));
   int busy = 0;
   for (int y = 0; y < 8; ++y) {
     for (int x = 0; x < 8; ++x) busy += static_cast<int>(engine.busy(x, y));
   }
-  EXPECT_EQ(black_pixels(sheet, 1).second, square * busy);
+  EXPECT_EQ(black_pixels(sheet, 1).second, kSquare * busy);
 }
 
 TEST(ThesisSnapshots, RefuseTimesAfterTheEndAndInDisorder) {
