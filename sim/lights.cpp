@@ -60,7 +60,7 @@ Lamp parse_lamp(const std::string& text, int n) {
     lamp.voxel[i] = *value;
   }
   for (int i = 0; i < 3 && words.size() == 6; ++i) {
-    const std::string& word = words[static_cast<std::size_t>(3 + i)];
+    const std::string& word = words[3 + static_cast<std::size_t>(i)];
     const auto value = parse<float>(word);
     if (!value || !std::isfinite(*value) || *value < 0) {
       refuse(

@@ -108,9 +108,9 @@ void check_options(RunOptions& options) {
   check_options(static_cast<SceneOptions&>(options));
   check_range("--target-distance", options.distance(), 1, kMaxDistance);
   check_range("--fa", options.fa, 1, kMaxQueue);
-  constexpr std::int64_t longest = 1'000'000'000'000;
-  check_range<std::int64_t>("--waves-from", options.waves_from, 0, longest);
-  check_range<std::int64_t>("--waves-cycles", options.waves_cycles, 1, longest);
+  constexpr std::int64_t kLongest = 1'000'000'000'000;
+  check_range<std::int64_t>("--waves-from", options.waves_from, 0, kLongest);
+  check_range<std::int64_t>("--waves-cycles", options.waves_cycles, 1, kLongest);
   if (!options.waves.empty() && options.machine != "rtl") {
     throw Error(fmt::format("--waves {}: the {} model has no signals to show; use --machine rtl",
                             options.waves, options.machine));

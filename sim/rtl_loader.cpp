@@ -11,8 +11,9 @@ std::unique_ptr<Machine> make_rtl_machine(int n, const WaveWindow& waves) {
   const auto program = std::filesystem::read_symlink("/proc/self/exe");
   const auto library = program.parent_path() / "rtl" / fmt::format("librc2_rtl_n{}.so", n);
   if (!std::filesystem::exists(library)) {
-    throw Error(fmt::format("{}: there is no Verilated machine of n = {}; build it with `make rtl N={}`",
-                            library.string(), n, n));
+    throw Error(
+        fmt::format("{}: there is no Verilated machine of n = {}; build it with `make rtl N={}`",
+                    library.string(), n, n));
   }
   // The library stays loaded to the end of the program: the machine's code lives in it.
   void* handle = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);

@@ -63,7 +63,8 @@ class VerilatedMachine final : public Machine {
       : top_(&context_, "rc2"), waves_(waves), config_(reset_and_identify()), format_(config_) {
     if (read_register(kPacketBits) != static_cast<std::uint32_t>(format_.packet_bits()) ||
         read_register(kReadbackBits) != static_cast<std::uint32_t>(format_.readback_bits())) {
-      throw std::logic_error("rtl/rc2_pkg.sv and sim/host_word.h disagree about the width of a word");
+      throw std::logic_error(
+          "rtl/rc2_pkg.sv and sim/host_word.h disagree about the width of a word");
     }
   }
 
@@ -116,8 +117,8 @@ class VerilatedMachine final : public Machine {
       if (now != home) home_since = cycle_;
       home = now;
       if (cycle_ - home_since > kPatience) {
-        throw std::logic_error(fmt::format("the light hangs: {} of {} targets came home", home,
-                                           result.targets.total));
+        throw std::logic_error(
+            fmt::format("the light hangs: {} of {} targets came home", home, result.targets.total));
       }
       progress("light", read_register(kBusyCycles),
                static_cast<double>(home) / static_cast<double>(result.targets.total));
@@ -141,7 +142,8 @@ class VerilatedMachine final : public Machine {
     }
     for (const auto& record : read_back(ReadWhat::counters)) {
       if (record.at.z == 0) result.visits += record.facet;
-      if (record.at.z == 1) result.max_queue = std::max<std::int64_t>(result.max_queue, record.facet);
+      if (record.at.z == 1)
+        result.max_queue = std::max<std::int64_t>(result.max_queue, record.facet);
     }
     return result;
   }
@@ -154,8 +156,9 @@ class VerilatedMachine final : public Machine {
   void half(bool high) {
     top_.clk_i = high ? 1 : 0;
     top_.eval();
-    if (tracing_) trace_.dump(static_cast<std::uint64_t>(cycle_ * kWaveTimePerCycle +
-                                                     (high ? 0 : kWaveTimePerCycle / 2)));
+    if (tracing_)
+      trace_.dump(static_cast<std::uint64_t>(cycle_ * kWaveTimePerCycle +
+                                             (high ? 0 : kWaveTimePerCycle / 2)));
   }
 
   /// One clock cycle. Inputs set before are seen by its rising edge; outputs read after are what
@@ -180,7 +183,8 @@ class VerilatedMachine final : public Machine {
     top_.trace(&trace_, 99);
     trace_.open(waves_.path.c_str());
     if (!trace_.isOpen()) {
-      throw Error(waves_.path + ": the waveform cannot be written; name a file in a folder that exists");
+      throw Error(waves_.path +
+                  ": the waveform cannot be written; name a file in a folder that exists");
     }
     tracing_ = true;
   }

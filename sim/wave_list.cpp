@@ -21,7 +21,8 @@ class SaveFile {
  public:
   void title(const std::string& text) { text_ += fmt::format("{}\n-{}\n", kTitle, text); }
   void signal(const char* format, const std::string& name, int width) {
-    text_ += fmt::format("{}\n{}{}\n", format, name, width == 1 ? "" : fmt::format("[{}:0]", width - 1));
+    text_ +=
+        fmt::format("{}\n{}{}\n", format, name, width == 1 ? "" : fmt::format("[{}:0]", width - 1));
   }
   void text(const std::string& text) { text_ += text; }
   const std::string& str() const { return text_; }
@@ -64,12 +65,15 @@ void write_wave_list(const std::string& waves, const MachineConfig& config, glm:
   const std::string machine = "rc2.rc2_machine.";
   const std::int64_t time = start * kWaveTimePerCycle;
   SaveFile list;
-  list.text(fmt::format("[*] The light at ({}, {}, {}) starts at {}: {} time units are one cycle.\n",
-                        source.x, source.y, source.z, time, kWaveTimePerCycle));
+  list.text(
+      fmt::format("[*] The light at ({}, {}, {}) starts at {}: {} time units are one cycle.\n",
+                  source.x, source.y, source.z, time, kWaveTimePerCycle));
   list.text(fmt::format("[dumpfile] \"{}\"\n", std::filesystem::absolute(waves).string()));
-  list.text(fmt::format("[timestart] {}\n[size] 1600 1000\n[signals_width] 300\n", time - 5 * kWaveTimePerCycle));
-  list.text(fmt::format("*-6.000000 {}{}\n", time, " -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1"
-                                                   " -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1"));
+  list.text(fmt::format("[timestart] {}\n[size] 1600 1000\n[signals_width] 300\n",
+                        time - 5 * kWaveTimePerCycle));
+  list.text(fmt::format("*-6.000000 {}{}\n", time,
+                        " -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1"
+                        " -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1"));
   list.title("Machine");
   list.signal(kBits, machine + "clk_i", 1);
   list.signal(kBits, machine + "s_axis_tvalid", 1);
@@ -91,7 +95,8 @@ void write_wave_list(const std::string& waves, const MachineConfig& config, glm:
   file << list.str();
   file.close();
   if (!file) {
-    throw Error(path.string() + ": the list of signals cannot be written; name a folder that is writable");
+    throw Error(path.string() +
+                ": the list of signals cannot be written; name a folder that is writable");
   }
 }
 

@@ -14,9 +14,9 @@ struct MachineConfig {
   int max_fa = 32;        ///< deepest beam queue (FA) of a cell
 };
 
-constexpr int kMaxSide = 1024;         ///< largest n the 64-bit host arithmetic is proven for
-constexpr int kMaxFractionBits = 8;    ///< largest f, likewise
-constexpr int kFacetBits = 20;         ///< a facet number fits in this many bits
+constexpr int kMaxSide = 1024;       ///< largest n the 64-bit host arithmetic is proven for
+constexpr int kMaxFractionBits = 8;  ///< largest f, likewise
+constexpr int kFacetBits = 20;       ///< a facet number fits in this many bits
 constexpr int kMaxFacets = 1 << kFacetBits;
 
 /// Bits that hold 0 .. count-1.

@@ -5,7 +5,6 @@
 #include <cstdlib>
 #include <glm/common.hpp>
 
-
 namespace rc2::facet {
 namespace {
 

@@ -1,6 +1,7 @@
 #include "sw/network/segments.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdlib>
 #include <utility>
 
@@ -20,7 +21,10 @@ struct Bundle {
 /// All segments of one N, and who passes where.
 class Fan {
  public:
-  explicit Fan(int n) : n_(n), heights_((n + 1) * (n + 1)), bundles_((n + 1) * (n + 1), {n, 0}) {
+  explicit Fan(int n) : n_(n) {
+    const std::size_t places = std::size_t(n + 1) * (n + 1);
+    heights_.resize(places);
+    bundles_.resize(places, {n, 0});
     for (int s = 0; s <= n; ++s) {
       for (const glm::ivec2 at : segment(n, s)) {
         heights_[at.x * (n + 1) + s] = at.y;

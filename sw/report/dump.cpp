@@ -58,11 +58,11 @@ class Reader {
   void add_row() {
     rest_ = line_;
     words_left_ = kVoxelColumns + memories_.lights.size();
-    constexpr auto any = std::numeric_limits<std::uint32_t>::max();
+    constexpr auto kAny = std::numeric_limits<std::uint32_t>::max();
     VoxelRecord voxel{};
     for (int axis = 0; axis < 3; ++axis) voxel.at[axis] = static_cast<int>(take(kMaxSide - 1));
     voxel.facet = take(kMaxFacets - 1);
-    for (LightMemory& light : memories_.lights) light.push_back(take(any));
+    for (LightMemory& light : memories_.lights) light.push_back(take(kAny));
     if (!memories_.voxels.empty()) {
       const glm::ivec3 before = memories_.voxels.back().at, at = voxel.at;
       if (std::tie(before.z, before.y, before.x) >= std::tie(at.z, at.y, at.x)) {

@@ -140,6 +140,18 @@ class Lights(HostTest):
         self.assertNotIn(tuple(map(int, proposal.split(","))), {row[:3] for row in occupied})
         self.succeed("run", "ball:3", "--n", 8, "--light", proposal)
 
+    def test_the_proposal_is_the_nearest_free_voxel(self):
+        # Around (2,2,2) all is occupied but (4,4,4), which is farther away than (5,2,2).
+        taken = [(x, y, z) for x in range(5) for y in range(5) for z in range(5) if x + y + z < 12]
+        lines = []
+        for x, y, z in taken:
+            lines += [f"v {x - 0.1} {y - 0.1} {z}", f"v {x + 0.1} {y - 0.1} {z}",
+                      f"v {x} {y + 0.1} {z}", "f -3 -2 -1"]
+        self.write("block.obj", "\n".join(lines) + "\n")
+        message = self.refuse("run", "block.obj", "--fit", "none", "--n", 6, "--light", "2,2,2")
+        x, y, z = map(int, message.split("for example with --light ")[1].split(","))
+        self.assertEqual((x - 2) ** 2 + (y - 2) ** 2 + (z - 2) ** 2, 9)
+
     def test_lights_of_the_scene_outside_the_cube_are_counted(self):
         self.write("lamps.ac", AC3D)
         self.succeed("run", "lamps.ac", "--fit", "none", "--n", 8)
@@ -165,8 +177,10 @@ class Outputs(HostTest):
 
     def test_it_is_found_before_the_long_work(self):
         # The machine of this size would never end within the time limit.
-        self.refuse("run", "empty", "--n", 256, "--target-distance", 32767, "--machine", "golden",
-                    "--dump", "missing/dump.csv", says="missing/dump.csv")
+        (self.folder / "taken").mkdir()
+        for dump in ("missing/dump.csv", "taken"):
+            self.refuse("run", "empty", "--n", 256, "--target-distance", 32767, "--machine",
+                        "golden", "--dump", dump, says=dump)
 
     def test_what_was_there_before_stays(self):
         (self.folder / "out").mkdir()

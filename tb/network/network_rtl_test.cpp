@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 #include <verilated.h>
 
+#include <algorithm>
 #include <memory>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "Vnetwork_bench.h"
@@ -36,16 +38,15 @@ class NetworkRtl : public testing::Test {
     drive(bench_->circle, circles, kRadius);
     drive(bench_->segment, segments, kColumns);
     bench_->eval();
-    for (int scheme = 0; scheme < 4; ++scheme) {
-      compare(bench_->circles[scheme], kRadius, [&](glm::ivec2 at) {
-        return any_of(circles, [&](int radius) { return on_circle(radius, at); });
-      });
-    }
-    for (int scheme = 0; scheme < 5; ++scheme) {
-      compare(bench_->segments[scheme], kColumns, [&](glm::ivec2 at) {
-        return any_of(segments, [&](int s) { return on_segment(kColumns, s, at); });
-      });
-    }
+    compare_all(bench_->circles, {"star", "chain", "tree", "tree:4"}, kRadius, [&](glm::ivec2 at) {
+      return std::any_of(circles.begin(), circles.end(),
+                         [&](int radius) { return on_circle(radius, at); });
+    });
+    compare_all(bench_->segments, {"star", "chain", "tree", "tree:4", "nearest"}, kColumns,
+                [&](glm::ivec2 at) {
+                  return std::any_of(segments.begin(), segments.end(),
+                                     [&](int s) { return on_segment(kColumns, s, at); });
+                });
   }
 
  private:
@@ -55,12 +56,13 @@ class NetworkRtl : public testing::Test {
     word = (word & ~(1U << bit % 32)) | (EData{value} << bit % 32);
   }
 
-  template <class Predicate>
-  static bool any_of(const Drawings& drawings, Predicate holds) {
-    for (const int k : drawings) {
-      if (holds(k)) return true;
+  template <class Outputs, class Predicate>
+  static void compare_all(const Outputs& outputs, const std::vector<std::string>& schemes, int size,
+                          Predicate is_lit) {
+    for (std::size_t scheme = 0; scheme < schemes.size(); ++scheme) {
+      SCOPED_TRACE(schemes[scheme]);
+      compare(outputs[scheme], size, is_lit);
     }
-    return false;
   }
 
   template <class Words, class Predicate>

@@ -92,7 +92,8 @@ scene::Scene random_scene(Random& random, int n) {
     if (random.chance(30)) corner = glm::round(corner * 2.0) * 0.5;
     const double reach = random.chance(50) ? side : 2.0;
     const auto edge = [&] {
-      glm::dvec3 e(random.real(-reach, reach), random.real(-reach, reach), random.real(-reach, reach));
+      glm::dvec3 e(random.real(-reach, reach), random.real(-reach, reach),
+                   random.real(-reach, reach));
       if (random.chance(30)) e[random.in(0, 2)] = 0;
       if (random.chance(20)) e *= 0.02;
       return e;
@@ -108,7 +109,8 @@ scene::Scene random_scene(Random& random, int n) {
 /// A free voxel: anywhere, in a corner, or beside a surface. False if the cube is full.
 bool pick_source(Random& random, int n, const VoxelMemory& voxels, glm::ivec3& source) {
   const auto free = [&](glm::ivec3 p) {
-    return std::none_of(voxels.begin(), voxels.end(), [&](const VoxelRecord& v) { return v.at == p; });
+    return std::none_of(voxels.begin(), voxels.end(),
+                        [&](const VoxelRecord& v) { return v.at == p; });
   };
   const int kind = random.in(0, 2);
   for (int attempt = 0; attempt < 1000; ++attempt) {

@@ -55,7 +55,8 @@ TEST(Dexel, EqualsTheExactInterval) {
 
   for (std::uint32_t facet = 0; facet < 20000 && !HasFatalFailure(); ++facet) {
     const int z0 = static_cast<int>(random.in(0, 15));
-    const int span = random.chance(40) ? std::min<int>(2, 15 - z0) : static_cast<int>(random.in(0, 15 - z0));
+    const int span =
+        random.chance(40) ? std::min<int>(2, 15 - z0) : static_cast<int>(random.in(0, 15 - z0));
     std::int64_t lo = 0;
     std::int64_t hi = span;
     bool outside = false;
@@ -67,7 +68,8 @@ TEST(Dexel, EqualsTheExactInterval) {
       // Small coefficients meet the exact multiples, large ones the ends of the widths.
       const std::int64_t reach = random.chance(70) ? 9 : (1LL << (format.coefficient - 1)) - 1;
       const std::int64_t c = random.chance(25) ? 0 : random.in(-reach, reach);
-      const std::int64_t far = std::min<std::int64_t>(20 * std::max<std::int64_t>(reach / 2, 1), (1LL << (format.offset - 1)) - 1);
+      const std::int64_t far = std::min<std::int64_t>(20 * std::max<std::int64_t>(reach / 2, 1),
+                                                      (1LL << (format.offset - 1)) - 1);
       const std::int64_t d = random.in(-far, far);
       send(rc2::WordKind::bound, i + 1 == bounds,
            rc2::tb::bits(d, format.offset) | rc2::tb::bits(c, format.coefficient) << format.offset);

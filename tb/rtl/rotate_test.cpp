@@ -14,7 +14,8 @@ TEST(Rotate, GrantsOneWhoAsksAndNobodyWaitsLong) {
   std::array<int, kWays> waited{};
   for (int cycle = 0; cycle < 100000; ++cycle) {
     // Who has asked goes on asking until it is served.
-    unsigned request = static_cast<unsigned>(random.in(0, (1 << kWays) - 1) & random.in(0, (1 << kWays) - 1));
+    unsigned request =
+        static_cast<unsigned>(random.in(0, (1 << kWays) - 1) & random.in(0, (1 << kWays) - 1));
     for (int way = 0; way < kWays; ++way) {
       if (waited[static_cast<std::size_t>(way)] > 0) request |= 1U << way;
     }

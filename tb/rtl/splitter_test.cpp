@@ -47,13 +47,15 @@ std::array<Part, 3> parts(const Vtop& top, int first_field) {
     int value = 0;
     for (int bit = 0; bit < kTargetW; ++bit) {
       const int at = index * kTargetW + bit;
-      value |= static_cast<int>(top.split_o[static_cast<std::size_t>(at / 32)] >> (at % 32) & 1U) << bit;
+      value |= static_cast<int>(top.split_o[static_cast<std::size_t>(at / 32)] >> (at % 32) & 1U)
+               << bit;
     }
     return value >= 1 << (kTargetW - 1) ? value - (1 << kTargetW) : value;
   };
   std::array<Part, 3> result{};
   for (int part = 0; part < 3; ++part) {
-    result[static_cast<std::size_t>(part)] = {field(first_field + 5 - 2 * part), field(first_field + 4 - 2 * part)};
+    result[static_cast<std::size_t>(part)] = {field(first_field + 5 - 2 * part),
+                                              field(first_field + 4 - 2 * part)};
   }
   return result;
 }
@@ -61,7 +63,9 @@ std::array<Part, 3> parts(const Vtop& top, int first_field) {
 TEST(Splitter, PartitionsTheTargetsAlongTheirRays) {
   Vtop top;
   rc2::tb::Random random(5);
-  const auto pick = [&](std::int64_t low, std::int64_t high) { return static_cast<int>(random.in(low, high)); };
+  const auto pick = [&](std::int64_t low, std::int64_t high) {
+    return static_cast<int>(random.in(low, high));
+  };
   std::set<int> shapes;
   int escapes = 0;
   int remainders = 0;
@@ -72,7 +76,9 @@ TEST(Splitter, PartitionsTheTargetsAlongTheirRays) {
     const int axis = pick(0, 2);
     const int u_axis = axis == 0 ? 1 : 0;
     const int v_axis = axis == 2 ? 1 : 2;
-    const auto offset = [&](int a) { return at[static_cast<std::size_t>(a)] - source[static_cast<std::size_t>(a)]; };
+    const auto offset = [&](int a) {
+      return at[static_cast<std::size_t>(a)] - source[static_cast<std::size_t>(a)];
+    };
     const bool negative = offset(axis) != 0 ? offset(axis) < 0 : random.chance(50);
     const int k = std::abs(offset(axis));
     const auto [u_first, u_last] = targets_at(offset(u_axis), k, distance, distance);
@@ -98,8 +104,8 @@ TEST(Splitter, PartitionsTheTargetsAlongTheirRays) {
 
     const auto u_parts = parts(top, 6);
     const auto v_parts = parts(top, 0);
-    const int split_z = static_cast<int>(top.split_o[static_cast<std::size_t>(12 * kTargetW / 32)] >>
-                                             (12 * kTargetW % 32) & 7U);
+    const int split_z = static_cast<int>(
+        top.split_o[static_cast<std::size_t>(12 * kTargetW / 32)] >> (12 * kTargetW % 32) & 7U);
     // A side beam serves the targets whose rays go lowest along V; the others wait.
     const int served_v = ray(v.min, k + 1, distance);
     int served = 0;
@@ -134,7 +140,8 @@ TEST(Splitter, PartitionsTheTargetsAlongTheirRays) {
           ASSERT_EQ(at[1], next[1]);
           ASSERT_EQ(split_z, next[2]);
         }
-        ASSERT_EQ(homes, now && inside ? 1 : 0) << "trial " << trial << " target " << ut << "," << vt;
+        ASSERT_EQ(homes, now && inside ? 1 : 0)
+            << "trial " << trial << " target " << ut << "," << vt;
         served += now ? 1 : 0;
         kept += now && inside ? 1 : 0;
         escapes += now && !inside ? 1 : 0;
@@ -151,8 +158,10 @@ TEST(Splitter, PartitionsTheTargetsAlongTheirRays) {
     shapes.insert(__builtin_popcount(top.send_o) + (top.own_o != 0 ? 1 : 0));
   }
   top.final();
-  // All shapes but those that no digital ray makes must have been met, and both ways to lose a target.
-  for (const int children : {0, 1, 2, 3, 4, 6, 9}) EXPECT_EQ(shapes.count(children), 1U) << children;
+  // All shapes but those that no digital ray makes must have been met, and both ways to lose a
+  // target.
+  for (const int children : {0, 1, 2, 3, 4, 6, 9})
+    EXPECT_EQ(shapes.count(children), 1U) << children;
   EXPECT_GT(escapes, 1000);
   EXPECT_GT(remainders, 1000);
 }
