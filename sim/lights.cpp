@@ -128,7 +128,7 @@ Lamps choose_lamps(const std::vector<std::string>& asked, const scene::Scene& sc
 
 void place_lamps(Lamps& lamps, const VoxelMemory& voxels, int n) {
   if (lamps.list.empty()) {
-    const auto voxel = nearest_free(voxels, {n / 4, 7 * n / 8, 7 * n / 8}, n);
+    const auto voxel = nearest_free(voxels, {n / 4, 3 * n / 4, n - 1}, n);
     if (!voxel) throw Error("every voxel is occupied, so no light can be placed; use a larger --n");
     lamps.list.push_back({"the default light", *voxel, glm::vec3(1)});
     lamps.counts.used = 1;

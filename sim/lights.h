@@ -24,8 +24,9 @@ struct Lamps {
 /// a voxel of the cube. Throws Error on a word that is no light or lies outside.
 Lamps choose_lamps(const std::vector<std::string>& asked, const scene::Scene& scene, int n);
 
-/// Adds a white lamp in the free voxel nearest to (n/4, 7n/8, 7n/8) if there is none, then throws
-/// Error if a lamp stands in an occupied voxel. `voxels` is what the machine loaded.
+/// Adds a white lamp in the free voxel nearest to (n/4, 3n/4, n-1), the side of the viewer, if
+/// there is none, then throws Error if a lamp stands in an occupied voxel. `voxels` is what the
+/// machine loaded.
 void place_lamps(Lamps& lamps, const VoxelMemory& voxels, int n);
 
 /// The record of an occupied voxel, or null.

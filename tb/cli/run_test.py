@@ -100,7 +100,7 @@ class Run(HostTest):
     def test_duck_gets_a_default_light(self):
         report = self.check_both_machines(DUCK, 12)
         self.assertTrue(report["lights"]["default"])
-        self.assertEqual(report["sources"][0]["voxel"], [3, 10, 10])
+        self.assertEqual(report["sources"][0]["voxel"], [3, 9, 11])
         self.assertEqual(report["ignored"], {"primitives": 0, "lights": 1, "textures": 1})
 
     def test_generated_room(self):
