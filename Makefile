@@ -6,7 +6,7 @@
 ##   build     the program, build/rc2 (try build/rc2 --help)
 ##   sim       lights scenes on the machine: pictures, waveforms and report.html under out/
 ##   thesis    the tables and snapshots of the thesis's own simulations, beside the printed ones
-##   chapter2  the line algorithms and tunnel tables of thesis chapter 2, as docs/lines.md shows them
+##   chapter2  the lines, tunnels and Boolean networks of thesis chapter 2, as the docs show them
 ##   test      every test; the last line is their summary
 ##   lint      verilator -Wall, yosys on every module alone, clang-format, clang-tidy
 ##   sanitize  the software's tests with address and undefined-behaviour sanitizers

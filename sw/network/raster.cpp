@@ -1,5 +1,7 @@
 #include "sw/network/raster.h"
 
+#include "sw/lines/digital_line.h"
+
 namespace rc2::network {
 
 std::vector<glm::ivec2> circle_arc(int radius) {
@@ -20,16 +22,9 @@ std::vector<glm::ivec2> circle_arc(int radius) {
 }
 
 std::vector<glm::ivec2> segment(int n, int height) {
-  std::vector<glm::ivec2> pixels;
-  int error = n;  // in units of 1/2n of a pixel, half a pixel to begin with
-  for (glm::ivec2 at(0, 0); at.x <= n; ++at.x) {
-    pixels.push_back(at);
-    error += 2 * height;
-    if (error >= 2 * n) {
-      ++at.y;
-      error -= 2 * n;
-    }
-  }
+  std::vector<glm::ivec2> pixels{{0, 0}};
+  lines::DigitalLine y(height, n);
+  while (pixels.back().x < n) pixels.push_back(pixels.back() + glm::ivec2(1, y.advance()));
   return pixels;
 }
 

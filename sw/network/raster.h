@@ -11,9 +11,8 @@ namespace rc2::network {
 std::vector<glm::ivec2> circle_arc(int radius);
 
 /// The pixels (0, 0) .. (n, height), one a column, 0 <= height <= n: the integer y nearest to
-/// height * x / n, ties upwards. This is the Bresenham of thesis 2.3.1 (its test is "error >=
-/// threshold"); light beams break ties downwards (4.3.1), which is the same line seen in the
-/// mirror y -> x - y.
+/// height * x / n, ties downwards, which is Bresenham's line as in sw/lines. (Ties upwards, as
+/// thesis 2.3.1 prints it, are the same lines seen in the mirror y -> x - y.)
 std::vector<glm::ivec2> segment(int n, int height);
 
 }  // namespace rc2::network

@@ -15,16 +15,16 @@ inline bool on_circle(std::int64_t radius, glm::ivec2 at) {
                 : (2 * x - 1) * (2 * x - 1) < 4 * square && 4 * square < (2 * x + 1) * (2 * x + 1);
 }
 
-/// Is y the integer nearest to height * x / n, ties upwards?
+/// Is y the integer nearest to height * x / n, ties downwards?
 inline bool on_segment(std::int64_t n, std::int64_t height, glm::ivec2 at) {
   const std::int64_t twice = 2 * (height * at.x - n * at.y);
-  return -n <= twice && twice < n;
+  return -n < twice && twice <= n;
 }
 
-/// The same, ties downwards.
-inline bool on_beam(std::int64_t n, std::int64_t height, glm::ivec2 at) {
+/// The same, ties upwards, as thesis 2.3.1 prints it.
+inline bool on_printed_segment(std::int64_t n, std::int64_t height, glm::ivec2 at) {
   const std::int64_t twice = 2 * (height * at.x - n * at.y);
-  return -n < twice && twice <= n;
+  return -n <= twice && twice < n;
 }
 
 }  // namespace rc2::network

@@ -74,7 +74,7 @@ std::vector<int> depths_of(const Network& network) {
   return depth;
 }
 
-TEST(Raster, CircleIsTheNearestPixelInEveryRow) {
+TEST(NetworkRaster, CircleIsTheNearestPixelInEveryRow) {
   for (int radius = 0; radius <= 1024; ++radius) {
     const std::vector<glm::ivec2> arc = circle_arc(radius);
     int y = 0;
@@ -88,7 +88,7 @@ TEST(Raster, CircleIsTheNearestPixelInEveryRow) {
   }
 }
 
-TEST(Raster, SegmentIsTheNearestPixelInEveryColumn) {
+TEST(NetworkRaster, SegmentIsTheNearestPixelInEveryColumn) {
   for (const int n : {1, 2, 3, 4, 5, 7, 16, 31, 32, 100, 127, 128, 512}) {
     for (int s = 0; s <= n; ++s) {
       const std::vector<glm::ivec2> pixels = segment(n, s);
@@ -102,11 +102,11 @@ TEST(Raster, SegmentIsTheNearestPixelInEveryColumn) {
   }
 }
 
-TEST(Raster, TheTwoTieRulesAreMirrorImages) {
+TEST(NetworkRaster, TheTwoTieRulesAreMirrorImages) {
   for (int n = 1; n <= 64; ++n) {
     for (int s = 0; s <= n; ++s) {
       for (const glm::ivec2 at : segment(n, s)) {
-        ASSERT_TRUE(on_beam(n, n - s, {at.x, at.x - at.y})) << n << ' ' << s;
+        ASSERT_TRUE(on_printed_segment(n, n - s, {at.x, at.x - at.y})) << n << ' ' << s;
       }
     }
   }
@@ -291,7 +291,7 @@ TEST(Segments, ThePlainChainAndTreeAreWrongAndTheStarIsNot) {
   EXPECT_GT(build(Shape::Segments, 64, scheme_of("tree")).repair.wrong, 0);
 }
 
-TEST(Depth, OfAStarIsOneOfAChainItsLengthOfATreeLogarithmic) {
+TEST(NetworkDepth, OfAStarIsOneOfAChainItsLengthOfATreeLogarithmic) {
   for (const Shape shape : {Shape::Circles, Shape::Segments}) {
     for (const int size : {8, 20, 64, 100}) {
       const int places =
@@ -312,7 +312,7 @@ TEST(Depth, OfAStarIsOneOfAChainItsLengthOfATreeLogarithmic) {
   }
 }
 
-TEST(Depth, NoMovedLinkPutsACellDeeperThanPlanned) {
+TEST(NetworkDepth, NoMovedLinkPutsACellDeeperThanPlanned) {
   for (const int n : {16, 50, 128}) {
     const Network network = build(Shape::Segments, n, scheme_of("tree"));
     const std::vector<int> parents = tree_parents(n + 1, 2);
@@ -325,7 +325,7 @@ TEST(Depth, NoMovedLinkPutsACellDeeperThanPlanned) {
   }
 }
 
-TEST(FanOut, OfACircleIsTheScheme) {
+TEST(NetworkFanOut, OfACircleIsTheScheme) {
   for (const int fan_out : {1, 2, 3, 5}) {
     const Measures measures = measure(build(Shape::Circles, 100, {fan_out}));
     EXPECT_EQ(measures.max_fan_out, fan_out);
@@ -363,7 +363,7 @@ int shared_pixels(int n, Rule rule) {
 }
 
 TEST(SharedPixels, ExistForEveryNFromThree) {
-  for (const Rule rule : {on_segment, on_beam}) {
+  for (const Rule rule : {on_segment, on_printed_segment}) {
     EXPECT_EQ(shared_pixels(1, rule), 0);
     EXPECT_EQ(shared_pixels(2, rule), 0);
     for (int n = 3; n <= 256; ++n) ASSERT_GT(shared_pixels(n, rule), 0) << n;
@@ -372,7 +372,7 @@ TEST(SharedPixels, ExistForEveryNFromThree) {
 
 // Lemma of 4.1.4: some segment from the origin to the last column passes through any given pixel.
 TEST(Lemma, EveryPixelIsReached) {
-  for (const Rule rule : {on_segment, on_beam}) {
+  for (const Rule rule : {on_segment, on_printed_segment}) {
     for (int n = 1; n <= 512; n += n < 256 ? 1 : 64) {
       const std::vector<std::vector<int>> height = heights(n, rule);
       for (int x = 0; x <= n; ++x) {
@@ -427,7 +427,7 @@ TEST(Planarity, OfCirclesHoldsBesideTheArcAndNotForStraightWires) {
   }
 }
 
-TEST(Description, IsTheNetwork) {
+TEST(NetworkDescription, IsTheNetwork) {
   const Network network = build(Shape::Segments, 20, scheme_of("tree"));
   const auto json = nlohmann::json::parse(description(network));
   EXPECT_EQ(json["size"], 20);
@@ -441,7 +441,7 @@ TEST(Description, IsTheNetwork) {
   for (int s = 0; s <= 20; ++s) EXPECT_EQ(draw(copy, {s}), draw(network, {s}));
 }
 
-TEST(Input, ThatMakesNoSenseIsRefused) {
+TEST(NetworkInput, ThatMakesNoSenseIsRefused) {
   EXPECT_THROW(build(Shape::Circles, 0, {2}), Error);
   EXPECT_THROW(build(Shape::Segments, kMaxSize + 1, {2}), Error);
   EXPECT_THROW(build(Shape::Circles, 8, {0}), Error);
