@@ -117,7 +117,7 @@ lint: build/build.ninja
 
 sanitize: build-sanitize/build.ninja
 	cmake --build build-sanitize -j $(jobs)
-	@scripts/test build-sanitize --label-exclude rtl
+	@scripts/test build-sanitize
 
 format: setup
 	find sw sim tb -name '*.h' -o -name '*.cpp' | xargs -r clang-format -i
