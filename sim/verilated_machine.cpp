@@ -25,6 +25,7 @@ enum Register : std::uint8_t {
   kFamax = 0x10,
   kPacketBits = 0x14,
   kReadbackBits = 0x18,
+  kFacetNumberBits = 0x1C,
   kCommand = 0x20,
   kStatus = 0x24,
   kBusyCycles = 0x28,
@@ -62,7 +63,8 @@ class VerilatedMachine final : public Machine {
   explicit VerilatedMachine(const WaveWindow& waves)
       : top_(&context_, "rc2"), waves_(waves), config_(reset_and_identify()), format_(config_) {
     if (read_register(kPacketBits) != static_cast<std::uint32_t>(format_.packet_bits()) ||
-        read_register(kReadbackBits) != static_cast<std::uint32_t>(format_.readback_bits())) {
+        read_register(kReadbackBits) != static_cast<std::uint32_t>(format_.readback_bits()) ||
+        read_register(kFacetNumberBits) != kFacetBits) {
       throw std::logic_error(
           "rtl/rc2_pkg.sv and sim/host_word.h disagree about the width of a word");
     }
