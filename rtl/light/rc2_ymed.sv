@@ -22,12 +22,12 @@ module rc2_ymed (
   localparam int unsigned FullW = ProdW + FracW;
 
   // The reciprocals of 2*(k+1) as one constant, entry k+1 from bit (k+1)*FracW on. Entry 0 is 0.
-  function automatic logic [(N+1)*FracW-1:0] reciprocals(input logic unused);
+  function automatic logic [(N+1)*FracW-1:0] reciprocals();
     logic [FracW-1:0] quotient;
     logic [FracW-1:0] rest, divisor;
     integer k1, i;
     begin
-      reciprocals = {((N + 1) * FracW) {unused}};
+      reciprocals = 0;
       divisor = 0;
       for (k1 = 1; k1 <= N; k1 = k1 + 1) begin
         // ceil(2^FracW / (2*k1)) by long division, so that no tool's integers limit it.
@@ -47,7 +47,7 @@ module rc2_ymed (
       end
     end
   endfunction
-  localparam logic [(N+1)*FracW-1:0] Reciprocals = reciprocals(1'b0);
+  localparam logic [(N+1)*FracW-1:0] Reciprocals = reciprocals();
 
   logic [FracW-1:0] reciprocal;
   logic [ProdW-1:0] product;
