@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// n x n cells (thesis 1.3). On the west side the vertical pipe feeds the rows; on the east side the
-// collectors bring the readback down to row 0; each cell has its eight neighbours. Around the cells
+// n x n cells (thesis 1.3). On the west side vertical pipes feed the rows, pipe k of R the rows y =
+// k, k+R, ..; on the east side the collectors bring the readback down to row 0; each cell has its eight neighbours. Around the cells
 // lies a border of ties, so that every cell is connected by the same lines.
 //
 // busy_o follows the cells by two cycles (one register per row, one for all rows).
@@ -12,10 +12,10 @@ module rc2_array (
     input  logic                                clear_i,
     input  logic                                start_i,
     input  rc2_pkg::light_t                     light_i,
-    // facet packets and READ words from the host
-    input  logic                                word_valid_i,
-    input  logic           [rc2_pkg::HostWordW-1:0] word_i,
-    output logic                                word_ready_o,
+    // facet packets and READ words from the host, one stream for each feeder
+    input  logic           [  rc2_pkg::FEEDERS-1:0] word_valid_i,
+    input  logic           [rc2_pkg::FEEDERS*rc2_pkg::HostWordW-1:0] word_i,
+    output logic           [  rc2_pkg::FEEDERS-1:0] word_ready_o,
     // readback to the host
     output logic                                word_valid_o,
     output logic           [ rc2_pkg::RowWordW-1:0] word_o,
@@ -24,6 +24,7 @@ module rc2_array (
     output logic                                busy_o
 );
   localparam int unsigned N = rc2_pkg::N;
+  localparam int unsigned R = rc2_pkg::FEEDERS;
   localparam int unsigned CoordW = rc2_pkg::CoordW;
   localparam int unsigned HomeW = rc2_pkg::HomeW;
   localparam int unsigned RowWordW = rc2_pkg::RowWordW;
@@ -130,7 +131,7 @@ module rc2_array (
   // f[y+1]: the feeder, the collector, the target count and the busy flag of row y.
   for (genvar y = 0; y < N + 2; y++) begin : f
     /*verilator tracing_off*/  // as above
-    logic unit_valid, row_ready, ready, next_valid, feeding, collecting;
+    logic unit_waits, unit_valid, row_ready, ready, next_valid, feeding, collecting;
     logic [RowWordW-1:0] unit_word;
     logic [HostWordW-1:0] next_word;
     logic back_valid, above_ready;
@@ -141,30 +142,45 @@ module rc2_array (
     /*verilator tracing_on*/
 
     if (y == 0) begin : host
-      assign next_valid = word_valid_i;
-      assign next_word = word_i;
       assign above_ready = word_ready_i;  // the host takes what row 0 gives
     end else if (y == N + 1) begin : top
       // The end of all rows: a READ word waits above row n-1 for ever.
-      assign ready = 1'b1;
       assign home_q = '0;
       assign back_valid = 1'b1;
-      assign back_word = {1'b1, rc2_pkg::KindRead, {rc2_pkg::RowPayloadW{1'b0}}};
+      assign back_word = {rc2_pkg::KindRead, {rc2_pkg::RowPayloadW{1'b0}}};
     end else begin : row
+      logic before_valid, after_ready;
+      logic [HostWordW-1:0] before_word;
+      if (y <= R) begin : first
+        assign before_valid = word_valid_i[y-1];
+        assign before_word = word_i[(y-1)*HostWordW+:HostWordW];
+        assign word_ready_o[y-1] = ready;
+      end else begin : later
+        assign before_valid = f[y-R].next_valid;
+        assign before_word = f[y-R].next_word;
+      end
+      // Nothing goes beyond the last row of a pipe but READ words, which end there.
+      if (y + R <= N) begin : inner
+        assign after_ready = f[y+R].ready;
+      end else begin : last
+        assign after_ready = 1'b1;
+      end
       rc2_facet_stage #(
-          .PayloadW(rc2_pkg::HostPayloadW)
+          .PayloadW(rc2_pkg::HostPayloadW),
+          .Stride  (R)
       ) u_feeder (
           .clk_i       (clk_i),
           .rst_ni      (rst_ni),
-          .valid_i     (f[y-1].next_valid),
-          .word_i      (f[y-1].next_word),
+          .valid_i     (before_valid),
+          .word_i      (before_word),
           .ready_o     (ready),
+          .unit_waits_o(unit_waits),
           .unit_valid_o(unit_valid),
           .unit_word_o (unit_word),
           .unit_ready_i(g[y].c[1].wr),
           .next_valid_o(next_valid),
           .next_word_o (next_word),
-          .next_ready_i(f[y+1].ready),
+          .next_ready_i(after_ready),
           .busy_o      (feeding)
       );
       rc2_collector u_collector (
@@ -196,7 +212,6 @@ module rc2_array (
     end
   end
 
-  assign word_ready_o = f[1].ready;
   assign word_valid_o = f[1].back_valid;
   assign word_o = f[1].back_word;
   assign home_o = f[1].home_q;

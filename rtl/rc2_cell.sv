@@ -71,9 +71,8 @@ module rc2_cell (
   /*verilator tracing_off*/
 
   // ---- Loading: row pipe -> dexel -> column ------------------------------------------------------
-  logic stage_valid, unit_valid, unit_ready, stage_busy;
-  logic [1:0] unit_kind;
-  logic unit_last;
+  logic stage_valid, unit_waits, unit_valid, unit_ready, stage_busy;
+  logic [rc2_pkg::KindW-1:0] unit_kind;
   logic [RestW-1:0] unit_rest;
   logic [rc2_pkg::RowWordW-1:0] stage_word;
   rc2_facet_stage #(
@@ -84,8 +83,9 @@ module rc2_cell (
       .valid_i     (word_valid_i),
       .word_i      (word_i),
       .ready_o     (word_ready_o),
+      .unit_waits_o(unit_waits),
       .unit_valid_o(unit_valid),
-      .unit_word_o ({unit_last, unit_kind, unit_rest}),
+      .unit_word_o ({unit_kind, unit_rest}),
       .unit_ready_i(unit_ready),
       .next_valid_o(stage_valid),
       .next_word_o (stage_word),
@@ -93,7 +93,8 @@ module rc2_cell (
       .busy_o      (stage_busy)
   );
 
-  logic is_read, dexel_ready, dexel_busy, fill_ready, fill_busy;
+  logic is_read, dexel_ready, fill_ready, fill_busy;
+  logic [CoordW-1:0] dexel_z0, core_lo, core_hi;
   /*verilator tracing_on*/
   logic dexel_valid;
   logic [rc2_pkg::FacetW-1:0] dexel_facet;
@@ -101,31 +102,38 @@ module rc2_cell (
   /*verilator tracing_off*/
   assign is_read = (unit_kind == rc2_pkg::KindRead);
   rc2_dexel u_dexel (
-      .clk_i  (clk_i),
-      .rst_ni (rst_ni),
-      .valid_i(unit_valid && !is_read),
-      .kind_i (unit_kind),
-      .last_i (unit_last),
-      .rest_i (unit_rest),
-      .ready_o(dexel_ready),
-      .valid_o(dexel_valid),
-      .facet_o(dexel_facet),
-      .lo_o   (dexel_lo),
-      .hi_o   (dexel_hi),
-      .ready_i(fill_ready),
-      .busy_o (dexel_busy)
+      .clk_i    (clk_i),
+      .rst_ni   (rst_ni),
+      .valid_i  (unit_waits && !is_read),
+      .kind_i   (unit_kind),
+      .rest_i   (unit_rest),
+      .ready_o  (dexel_ready),
+      .take_i   (unit_valid && !is_read && dexel_ready),
+      .valid_o  (dexel_valid),
+      .facet_o  (dexel_facet),
+      .z0_o     (dexel_z0),
+      .lo_o     (dexel_lo),
+      .hi_o     (dexel_hi),
+      .core_lo_o(core_lo),
+      .core_hi_o(core_hi),
+      .ready_i  (fill_ready)
   );
 
   logic fill;
   logic [CoordW-1:0] fill_z, owner_addr;
-  logic [rc2_pkg::FacetW-1:0] fill_owner, owner;
+  rc2_pkg::claim_t fill_owner, owner;
   rc2_fill u_fill (
       .clk_i        (clk_i),
       .rst_ni       (rst_ni),
-      .valid_i      (dexel_valid),
+      .valid_i      (dexel_valid && unit_valid),
       .facet_i      (dexel_facet),
+      .z0_i         (dexel_z0),
       .lo_i         (dexel_lo),
       .hi_i         (dexel_hi),
+      .core_lo_i    (core_lo),
+      .core_hi_i    (core_hi),
+      .gap_c_i      (unit_rest[rc2_pkg::DistW+:rc2_pkg::GapValueW]),
+      .gap_d_i      (unit_rest[rc2_pkg::GapValueW-1:0]),
       .ready_o      (fill_ready),
       .occupied_i   (occupied),
       .read_addr_o  (owner_addr),
@@ -241,9 +249,9 @@ module rc2_cell (
   end
 
   // ---- The column and its readback -----------------------------------------------------------------
-  logic read, read_done, data_valid, data_last, column_busy;
+  logic read, read_done, data_valid, column_busy;
   rc2_pkg::data_t data;
-  assign read = unit_valid && is_read && !dexel_busy && !fill_busy;
+  assign read = unit_valid && is_read && !fill_busy;
   rc2_column u_column (
       .clk_i            (clk_i),
       .rst_ni           (rst_ni),
@@ -265,7 +273,6 @@ module rc2_cell (
       .read_done_o      (read_done),
       .read_done_taken_i(unit_valid && is_read && read_done),
       .data_valid_o     (data_valid),
-      .data_last_o      (data_last),
       .data_o           (data),
       .data_ready_i     (word_ready_i),
       .busy_o           (column_busy)
@@ -275,10 +282,10 @@ module rc2_cell (
   assign unit_ready = is_read ? read_done : dexel_ready;
   assign word_valid_o = data_valid || stage_valid;
   assign word_o = data_valid ?
-      {data_last, rc2_pkg::KindData, {(RowPayloadW - rc2_pkg::DataW) {1'b0}}, data} :
+      {rc2_pkg::KindData, {(RowPayloadW - rc2_pkg::DataW) {1'b0}}, data} :
       stage_word;
 
-  assign busy_o = stage_busy || dexel_busy || fill_busy || router_busy || (queue != 0) ||
+  assign busy_o = stage_busy || fill_busy || router_busy || (queue != 0) ||
                   tally_busy || column_busy;
 
   // Contract: the row pipe carries one word at a time; light finds no loading under way.

@@ -4,7 +4,7 @@
 //
 // occupied, lit: one register bit a voxel, all readable at once and cleared in one cycle, so
 // neither memory needs clearing: an owner means something where occupied, a count where lit.
-// Owner and count: RAM words. A count takes a new arrival every cycle, also at the same voxel: the
+// Claim of the owner, and count: RAM words. A count takes a new arrival every cycle, also at the same voxel: the
 // sum written in the cycle before is bypassed, as the RAM still shows the old one.
 //
 // Readback: while read_i asks, one word per occupied voxel in order of z (or one word that says
@@ -17,11 +17,11 @@ module rc2_column (
     input  logic                       start_i,         // forget the light
     output logic [     rc2_pkg::N-1:0] occupied_o,
     // loading
-    output logic [rc2_pkg::FacetW-1:0] owner_o,         // of the address in the cycle before
+    output rc2_pkg::claim_t            owner_o,         // of the address in the cycle before
     input  logic [rc2_pkg::CoordW-1:0] owner_addr_i,
     input  logic                       fill_i,
     input  logic [rc2_pkg::CoordW-1:0] fill_z_i,
-    input  logic [rc2_pkg::FacetW-1:0] fill_owner_i,
+    input  rc2_pkg::claim_t            fill_owner_i,
     // light: absorb_i announces an arrival at absorb_z_i, its number of targets follows
     input  logic                       absorb_i,
     input  logic [rc2_pkg::CoordW-1:0] absorb_z_i,
@@ -35,7 +35,6 @@ module rc2_column (
     output logic                       read_done_o,
     input  logic                       read_done_taken_i,
     output logic                       data_valid_o,
-    output logic                       data_last_o,
     output rc2_pkg::data_t             data_o,
     input  logic                       data_ready_i,
     output logic                       busy_o
@@ -60,7 +59,7 @@ module rc2_column (
 
   // ---- Owner ---------------------------------------------------------------------------------------
   rc2_ram #(
-      .Width(rc2_pkg::FacetW),
+      .Width(rc2_pkg::ClaimW),
       .Depth(N)
   ) u_owner (
       .clk_i       (clk_i),
@@ -111,10 +110,10 @@ module rc2_column (
   assign counters = (read_what_i == rc2_pkg::ReadCounters);
   assign sent = fetched_q && data_ready_i;
   assign data_valid_o = fetched_q;
-  assign data_last_o = none_q || (todo_q == first);
   assign read_done_o = done_q;
 
   always_comb begin
+    data_o.last  = none_q || (todo_q == first);
     data_o.empty = none_q;
     data_o.z     = first_z;
     case (read_what_i)
@@ -132,7 +131,7 @@ module rc2_column (
     end else begin
       if (read_i && !reading_q && !done_q) reading_q <= 1'b1;
       if (reading_q) fetched_q <= !sent;
-      if (sent && data_last_o) begin
+      if (sent && data_o.last) begin
         reading_q <= 1'b0;
         fetched_q <= 1'b0;
         done_q    <= 1'b1;

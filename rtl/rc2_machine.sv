@@ -2,14 +2,15 @@
 //
 // The machine with its host port: AXI4-Lite for control, AXI4-Stream for packets and readback.
 //
-// Packets in (s_axis): one word of a packet per beat, tdata = {kind, payload} of rc2_pkg in the low
-// bits, tlast on the last word of a packet. A READ word is a packet of its own.
-// Readback (m_axis): one beat per word, tdata = {last word of its cell, data_t}, cells in order of
-// y, then x; a beat without meaning and with tlast set ends it.
+// Packets in (s_axis, one stream for each row feeder, feeder 0 lowest): one word of a packet per
+// beat, tdata = {kind, payload} of rc2_pkg in the low bits. A READ word goes to all feeders.
+// Readback (m_axis): one beat per word, tdata = data_t, cells in order of y, then x; a beat without
+// meaning and with tlast set ends it.
 //
 // Registers (32 bits, byte addresses; read-only unless said):
 //   00 id "RC2" and layout version   04 n   08 f   0C LMAX   10 FAMAX
 //   14 bits of a packet word   18 bits of a readback word   1C bits of a facet number
+//   38 row feeders
 //   20 command, write 1: bit 0 forget the voxels, bit 1 start the light (only while idle)
 //   24 status: bit 0 busy, bit 1 all targets are home
 //   28 cycles in which the array was busy since the last command
@@ -37,10 +38,9 @@ module rc2_machine (
     output logic [31:0] s_axil_rdata,
     output logic [ 1:0] s_axil_rresp,
     // AXI4-Stream: packets
-    input  logic        s_axis_tvalid,
-    output logic        s_axis_tready,
-    input  logic [PacketW-1:0] s_axis_tdata,
-    input  logic        s_axis_tlast,
+    input  logic [rc2_pkg::FEEDERS-1:0]         s_axis_tvalid,
+    output logic [rc2_pkg::FEEDERS-1:0]         s_axis_tready,
+    input  logic [rc2_pkg::FEEDERS*PacketW-1:0] s_axis_tdata,
     // AXI4-Stream: readback
     output logic        m_axis_tvalid,
     input  logic        m_axis_tready,
@@ -48,8 +48,8 @@ module rc2_machine (
     output logic        m_axis_tlast
 );
   // A stream's width is a whole number of bytes.
-  localparam int unsigned PacketW = 8 * ((rc2_pkg::HostWordW - 1 + 7) / 8);
-  localparam int unsigned ReadW = 8 * ((rc2_pkg::DataW + 1 + 7) / 8);
+  localparam int unsigned PacketW = 8 * ((rc2_pkg::HostWordW + 7) / 8);
+  localparam int unsigned ReadW = 8 * ((rc2_pkg::DataW + 7) / 8);
   localparam int unsigned HomeW = rc2_pkg::HomeW;
   localparam logic [31:0] Id = 32'h52433201;
 
@@ -59,6 +59,11 @@ module rc2_machine (
   logic word_valid;
   logic [rc2_pkg::RowWordW-1:0] word;
   logic [HomeW-1:0] home;
+  logic [rc2_pkg::FEEDERS*rc2_pkg::HostWordW-1:0] words;
+  for (genvar k = 0; k < rc2_pkg::FEEDERS; k++) begin : g_word
+    assign words[k*rc2_pkg::HostWordW+:rc2_pkg::HostWordW] =
+        s_axis_tdata[k*PacketW+:rc2_pkg::HostWordW];
+  end
   rc2_array u_array (
       .clk_i       (clk_i),
       .rst_ni      (rst_ni),
@@ -66,7 +71,7 @@ module rc2_machine (
       .start_i     (start_q),
       .light_i     (light_q),
       .word_valid_i(s_axis_tvalid),
-      .word_i      ({s_axis_tlast, s_axis_tdata[rc2_pkg::HostWordW-2:0]}),
+      .word_i      (words),
       .word_ready_o(s_axis_tready),
       .word_valid_o(word_valid),
       .word_o      (word),
@@ -75,8 +80,8 @@ module rc2_machine (
       .busy_o      (busy)
   );
   assign m_axis_tvalid = word_valid;
-  assign m_axis_tlast = (word[rc2_pkg::RowWordW-2-:2] == rc2_pkg::KindRead);
-  assign m_axis_tdata = ReadW'({word[rc2_pkg::RowWordW-1], word[rc2_pkg::DataW-1:0]});
+  assign m_axis_tlast = (word[rc2_pkg::RowWordW-1-:rc2_pkg::KindW] == rc2_pkg::KindRead);
+  assign m_axis_tdata = ReadW'(word[rc2_pkg::DataW-1:0]);
 
   // ---- Registers: write ------------------------------------------------------------------------
   logic write;
@@ -149,9 +154,10 @@ module rc2_machine (
         7'h08:   s_axil_rdata <= rc2_pkg::F;
         7'h0C:   s_axil_rdata <= rc2_pkg::LMAX;
         7'h10:   s_axil_rdata <= rc2_pkg::FAMAX;
-        7'h14:   s_axil_rdata <= rc2_pkg::HostWordW - 1;
-        7'h18:   s_axil_rdata <= rc2_pkg::DataW + 1;
+        7'h14:   s_axil_rdata <= rc2_pkg::HostWordW;
+        7'h18:   s_axil_rdata <= rc2_pkg::DataW;
         7'h1C:   s_axil_rdata <= rc2_pkg::FacetW;
+        7'h38:   s_axil_rdata <= rc2_pkg::FEEDERS;
         7'h24:   s_axil_rdata <= {30'd0, (home_q == targets_q), busy};
         7'h28:   s_axil_rdata <= busy_cycles_q;
         7'h2C:   s_axil_rdata <= home_cycle_q;

@@ -2,7 +2,7 @@
 //
 // The one place where the machine's size, message formats and widths are stated.
 //
-// A build chooses N, F, LMAX and FAMAX by macros; everything else follows from them.
+// A build chooses N, F, LMAX, FAMAX and FEEDERS by macros; everything else follows from them.
 // sw/base/config.h derives the same widths for the host, which checks them against the
 // capability registers of rc2_machine before it sends a word.
 //
@@ -21,6 +21,10 @@
 `ifndef RC2_FAMAX
 `define RC2_FAMAX 32
 `endif
+`ifndef RC2_FEEDERS
+`define RC2_FEEDERS ((`RC2_N >= 64) ? 16 : (`RC2_N >= 32) ? 8 : (`RC2_N >= 16) ? 4 : \
+                     (`RC2_N >= 8) ? 2 : 1)
+`endif
 
 package rc2_pkg;
 
@@ -29,53 +33,83 @@ package rc2_pkg;
   localparam int unsigned F = `RC2_F;          // vertices are multiples of 2^-F voxel
   localparam int unsigned LMAX = `RC2_LMAX;    // largest distance of the virtual faces
   localparam int unsigned FAMAX = `RC2_FAMAX;  // places in a cell's beam queue (FA)
+  localparam int unsigned FEEDERS = `RC2_FEEDERS;  // words per cycle from the host; a power of two
 
   // ---- Widths ------------------------------------------------------------------------------
   localparam int unsigned CoordW = (N <= 2) ? 1 : $clog2(N);  // 0 .. N-1
   localparam int unsigned OffW = CoordW + 1;                  // signed -(N-1) .. N-1
   localparam int unsigned CountW = $clog2(N + 1);             // 0 .. N
-  // A plane coefficient is twice a projected area: at most (N*2^F)^2, which is reached; and a sign.
-  localparam int unsigned CoefW = 2 * (CoordW + F) + 2;
-  // A bound's value at any cell: three coefficients times an extent of N voxels, half a slab, sign.
-  localparam int unsigned DistW = 3 * CoordW + 2 * F + 3;
   localparam int unsigned FacetW = 20;
+  // The gap between plane and voxel centre is kept in sixteenths of a voxel, -2 .. 2 voxels. On its
+  // way through a box it needs as many fraction bits more as make the error of N steps along each
+  // axis, half a unit each, 3/8 of a sixteenth; it is exact modulo four voxels.
+  localparam int unsigned GapFractionW = 4;
+  localparam int unsigned GapW = 2 + GapFractionW;
+  localparam int unsigned GapValueW = CoordW + 2 + GapW;
+  localparam int unsigned ClaimW = 1 + GapW + FacetW;
+  // A plane coefficient is twice a projected area: at most (N*2^F)^2, which is reached; and a sign.
+  // The slab's width, a sum of three, fits without the sign.
+  localparam int unsigned PlaneW = 2 * (CoordW + F) + 2;
+  localparam int unsigned CoefW = (PlaneW > GapValueW) ? PlaneW : GapValueW;
+  // A slab's or side's value at any cell: three coefficients times an extent of N voxels, half a
+  // slab, sign.
+  localparam int unsigned SlabW = 3 * CoordW + 2 * F + 3;
+  localparam int unsigned DistW = (SlabW > GapValueW) ? SlabW : GapValueW;
+  // A side's coefficient is an edge, at most N*2^F, which is reached; its push half of two.
+  localparam int unsigned SideW = CoordW + F + 2;
+  localparam int unsigned PushW = CoordW + F + 1;
   localparam int unsigned DistanceW = $clog2(LMAX + 1);        // L
   localparam int unsigned TargetW = DistanceW + 1;             // signed -L .. L
   localparam int unsigned ExtentW = $clog2(2 * LMAX + 2);      // 0 .. 2L+1 targets along one axis
   localparam int unsigned HomeW = $clog2(24 * LMAX * LMAX + 3);  // all targets of a source
   localparam int unsigned QueueW = $clog2(FAMAX + 1);
-  // A readback value: a facet number, or a count of beams (each target visits a column <= N times).
-  localparam int unsigned ValueW = (FacetW > HomeW + CoordW) ? FacetW : HomeW + CoordW;
+  // A readback value: a claim, or a count of beams (each target visits a column <= N times).
+  localparam int unsigned ValueW = (ClaimW > HomeW + CoordW) ? ClaimW : HomeW + CoordW;
 
   // ---- Words of the loading and readback pipe ------------------------------------------------
-  // A word is {last, kind, payload}. In HEAD and BOUND the payload is {lead, rest}: `lead` steers
+  // A word is {kind, payload}. In a packet's words the payload is {lead, rest}: `lead` steers
   // the stage that reads it, `rest` is what the stage hands to the unit beside it. The vertical
-  // pipe's rest is a row pipe's payload, so one stage serves both (rc2_facet_stage).
-  localparam int unsigned KindW = 2;
-  localparam logic [1:0] KindHead = 2'd0;   // lead {take, skip}, rest {facet, zspan, z0}
-  localparam logic [1:0] KindBound = 2'd1;  // lead step per cell, rest {c, d}: ..+ c*z + d >= 0
-  localparam logic [1:0] KindRead = 2'd2;   // rest {what}: every cell appends its words
-  localparam logic [1:0] KindData = 2'd3;   // one word read back: data_t
+  // pipe's rest is a row pipe's payload, so one stage serves both (rc2_facet_stage). A packet is a
+  // HEAD, a SLAB, its SIDEs and a GAP; the lead of all but HEAD is the step of d per cell.
+  localparam int unsigned KindW = 3;
+  localparam logic [2:0] KindHead = 3'd0;  // lead {take, skip}, rest {width, facet, zspan, z0}
+  localparam logic [2:0] KindSlab = 3'd1;  // rest {c, d}: 0 <= c*z + d <= width
+  localparam logic [2:0] KindSide = 3'd2;  // rest {push, c, d}: c*z + d >= 0; core: >= push
+  localparam logic [2:0] KindGap = 3'd3;   // rest {c, d}: c*z + d is the gap of voxel z
+  localparam logic [2:0] KindRead = 3'd4;  // rest {what}: every cell appends its words
+  localparam logic [2:0] KindData = 3'd5;  // one word read back: data_t
 
   localparam int unsigned LeadW = (2 * CountW > CoefW) ? 2 * CountW : CoefW;
-  localparam int unsigned HeadRestW = FacetW + 2 * CoordW;
-  localparam int unsigned BoundRestW = CoefW + DistW;
-  localparam int unsigned RestW = (HeadRestW > BoundRestW) ? HeadRestW : BoundRestW;
+  localparam int unsigned HeadRestW = PlaneW + FacetW + 2 * CoordW;
+  localparam int unsigned SlabRestW = CoefW + DistW;
+  localparam int unsigned SideRestW = PushW + SideW + DistW;
+  localparam int unsigned LongRestW = (SlabRestW > SideRestW) ? SlabRestW : SideRestW;
+  localparam int unsigned RestW = (HeadRestW > LongRestW) ? HeadRestW : LongRestW;
   localparam int unsigned RowPayloadW = LeadW + RestW;
   localparam int unsigned HostPayloadW = LeadW + RowPayloadW;
-  localparam int unsigned RowWordW = 1 + KindW + RowPayloadW;
-  localparam int unsigned HostWordW = 1 + KindW + HostPayloadW;
+  localparam int unsigned RowWordW = KindW + RowPayloadW;
+  localparam int unsigned HostWordW = KindW + HostPayloadW;
 
-  localparam logic [1:0] ReadVoxels = 2'd0;    // owner of each occupied voxel
+  localparam logic [1:0] ReadVoxels = 2'd0;    // claim of the owner of each occupied voxel
   localparam logic [1:0] ReadLight = 2'd1;     // targets arrived at each occupied voxel
   localparam logic [1:0] ReadCounters = 2'd2;  // z=0: beams served; z=1: deepest queue
 
   typedef struct packed {
+    logic              last;   // of the cell
     logic              empty;  // the cell has nothing to say: z and value mean nothing
     logic [CoordW-1:0] z;
     logic [ValueW-1:0] value;
   } data_t;
-  localparam int unsigned DataW = 1 + CoordW + ValueW;
+  localparam int unsigned DataW = 2 + CoordW + ValueW;
+
+  // What a facet says of a voxel it fills. The better claim is the lower number: core first, then
+  // the nearest plane, then the lowest facet; `distance` is the gap, or ~gap when behind the plane.
+  typedef struct packed {
+    logic              not_core;
+    logic [GapW-2:0]   distance;
+    logic [FacetW-1:0] facet;
+    logic              behind;
+  } claim_t;
 
   // ---- Light -------------------------------------------------------------------------------
   // A beam: all targets [umin..umax] x [vmin..vmax] of one face whose rays are at voxel z of the

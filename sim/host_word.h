@@ -1,4 +1,4 @@
-// Packet words as the host port of rtl/rc2_machine.sv takes them, bit for bit (rtl/rc2_pkg.sv).
+// Words as the host port of rtl/rc2_machine.sv takes them, bit for bit (rtl/rc2_pkg.sv).
 #pragma once
 
 #include <algorithm>
@@ -6,88 +6,83 @@
 #include <cstdint>
 
 #include "sw/base/config.h"
-#include "sw/facet/packet.h"
+#include "sw/machine/word.h"
 
 namespace rc2 {
 
-enum class WordKind : std::uint8_t { head = 0, bound = 1, read = 2, data = 3 };
 enum class ReadWhat : std::uint8_t { voxels = 0, light = 1, counters = 2 };
 
 /// Field widths of a machine's words, from its size.
 struct WordFormat {
-  int coordinate, count, coefficient, offset, lead, rest, value;
+  int coordinate, count, coefficient, plane, offset, side, push, lead, rest, value;
 
   explicit WordFormat(const MachineConfig& config)
       : coordinate(coordinate_bits(config.n)),
         count(bits_for(config.n + 1)),
         coefficient(coefficient_bits(config.n, config.fraction_bits)),
+        plane(plane_bits(config.n, config.fraction_bits)),
         offset(offset_bits(config.n, config.fraction_bits)),
+        side(side_bits(config.n, config.fraction_bits)),
+        push(push_bits(config.n, config.fraction_bits)),
         lead(std::max(2 * count, coefficient)),
-        rest(std::max(kFacetBits + 2 * coordinate, coefficient + offset)),
-        value(std::max(kFacetBits, home_bits(config.max_distance) + coordinate)) {}
+        rest(std::max(
+            {plane + kFacetBits + 2 * coordinate, coefficient + offset, push + side + offset})),
+        value(std::max(kClaimBits, home_bits(config.max_distance) + coordinate)) {}
 
-  int packet_bits() const { return 2 + 2 * lead + rest; }
+  int packet_bits() const { return kKindBits + 2 * lead + rest; }
   int readback_bits() const { return 2 + coordinate + value; }
 
+  static constexpr int kKindBits = 3;
   static int home_bits(std::int64_t distance) { return bits_for(24 * distance * distance + 3); }
 };
 
-/// One beat of the packet stream: {kind, lead of the rows, lead of the cells, rest}.
+/// One beat of a packet stream: {kind, lead of the rows, lead of the cells, rest}.
 class HostWord {
  public:
   static constexpr int kLimbs = 8;
 
-  HostWord(const WordFormat& format, WordKind kind, bool last) : last_(last) {
-    put(2 * format.lead + format.rest, 2, static_cast<std::uint64_t>(kind));
+  HostWord(const WordFormat& format, const Word& word) {
+    fill(2 * format.lead + format.rest, WordFormat::kKindBits,
+         static_cast<std::int64_t>(word.kind));
+    const int cells = format.rest, rows = format.rest + format.lead;
+    if (word.kind == WordKind::head) {
+      fill(0, format.coordinate, word.z0);
+      fill(format.coordinate, format.coordinate, word.z_span);
+      fill(2 * format.coordinate, kFacetBits, word.facet);
+      fill(2 * format.coordinate + kFacetBits, format.plane, word.reach);
+      fill(cells, format.count, word.skip[0]);
+      fill(cells + format.count, format.count, word.take[0]);
+      fill(rows, format.count, word.skip[1]);
+      fill(rows + format.count, format.count, word.take[1]);
+      return;
+    }
+    const bool side = word.kind == WordKind::side;
+    const int c_bits = side ? format.side : format.coefficient;
+    fill(0, format.offset, word.d);
+    fill(format.offset, c_bits, word.c);
+    if (side) fill(format.offset + c_bits, format.push, word.reach);
+    fill(cells, format.coefficient, word.step[0]);
+    fill(rows, format.coefficient, word.step[1]);
   }
 
-  bool last() const { return last_; }
+  /// The word that asks every cell for what it holds.
+  HostWord(const WordFormat& format, ReadWhat what) : HostWord(format, Word{WordKind::read}) {
+    fill(0, 2, static_cast<std::int64_t>(what));
+  }
+
   const std::array<std::uint32_t, kLimbs>& limbs() const { return limbs_; }
 
-  /// Writes the low `width` (<= 64) bits of value at bit `at`; those bits must be 0.
-  void put(int at, int width, std::uint64_t value) {
+ private:
+  // Puts the low `width` bits of the value at bit `at`, where there are zeros.
+  void fill(int at, int width, std::int64_t value) {
     for (int i = 0; i < width; ++i) {
-      const auto bit = static_cast<std::uint32_t>((value >> i) & 1U);
+      const auto bit = static_cast<std::uint32_t>((value >> i) & 1);
       limbs_[static_cast<std::size_t>((at + i) / 32)] |= bit << ((at + i) % 32);
     }
   }
 
- private:
   std::array<std::uint32_t, kLimbs> limbs_{};
-  bool last_;
 };
-
-inline HostWord head_word(const WordFormat& format, const facet::PacketHead& head) {
-  HostWord word(format, WordKind::head, false);
-  const auto span = [&](int axis) {
-    return static_cast<std::uint64_t>(head.hi[axis] - head.lo[axis]);
-  };
-  const auto low = [&](int axis) { return static_cast<std::uint64_t>(head.lo[axis]); };
-  word.put(0, format.coordinate, low(2));
-  word.put(format.coordinate, format.coordinate, span(2));
-  word.put(2 * format.coordinate, kFacetBits, head.facet);
-  for (int axis = 0; axis < 2; ++axis) {  // x steers the cells, y the rows
-    const int lead = format.rest + axis * format.lead;
-    word.put(lead, format.count, low(axis));
-    word.put(lead + format.count, format.count, span(axis) + 1);
-  }
-  return word;
-}
-
-inline HostWord bound_word(const WordFormat& format, const facet::Bound& bound, bool last) {
-  HostWord word(format, WordKind::bound, last);
-  word.put(0, format.offset, static_cast<std::uint64_t>(bound.d));
-  word.put(format.offset, format.coefficient, static_cast<std::uint64_t>(bound.c));
-  word.put(format.rest, format.coefficient, static_cast<std::uint64_t>(bound.a));
-  word.put(format.rest + format.lead, format.coefficient, static_cast<std::uint64_t>(bound.b));
-  return word;
-}
-
-inline HostWord read_word(const WordFormat& format, ReadWhat what) {
-  HostWord word(format, WordKind::read, true);
-  word.put(0, 2, static_cast<std::uint64_t>(what));
-  return word;
-}
 
 /// One beat of the readback stream.
 struct ReadbackWord {

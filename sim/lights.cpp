@@ -140,7 +140,7 @@ void place_lamps(Lamps& lamps, const VoxelMemory& voxels, int n) {
     const auto free = nearest_free(voxels, lamp.voxel, n);
     throw Error(fmt::format(
         "{}: its voxel ({},{},{}) is occupied by facet {}; move it, for example with {}",
-        lamp.origin, lamp.voxel.x, lamp.voxel.y, lamp.voxel.z, occupied->facet,
+        lamp.origin, lamp.voxel.x, lamp.voxel.y, lamp.voxel.z, occupied->owner.facet,
         free ? fmt::format("--light {},{},{}", free->x, free->y, free->z) : "a larger --n"));
   }
 }

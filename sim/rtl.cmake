@@ -16,7 +16,8 @@ foreach(module column cell array machine)
   list(APPEND RC2_RTL_SOURCES ${PROJECT_SOURCE_DIR}/rtl/rc2_${module}.sv)
 endforeach()
 set(RC2_VERILATED_GLUE ${PROJECT_SOURCE_DIR}/sim/verilated_machine.cpp
-                       ${PROJECT_SOURCE_DIR}/sim/wave_list.cpp)
+                       ${PROJECT_SOURCE_DIR}/sim/wave_list.cpp
+                       ${PROJECT_SOURCE_DIR}/sw/machine/feeder.cpp)
 set(RC2_RTL_RULES ${PROJECT_SOURCE_DIR}/rtl/trace.vlt ${PROJECT_SOURCE_DIR}/rtl/rc2.vlt)
 
 # -O1: as fast as -O2 and quicker to build; the slow path runs once. Waves cost nothing until they
@@ -48,7 +49,9 @@ function(rc2_add_rtl n fraction_bits)
     DEPENDS ${RC2_RTL_SOURCES} ${RC2_RTL_RULES} ${RC2_VERILATED_GLUE}
             ${PROJECT_SOURCE_DIR}/sim/host_word.h ${PROJECT_SOURCE_DIR}/sim/rtl_machine.h
             ${PROJECT_SOURCE_DIR}/sim/wave_list.h
-            ${PROJECT_SOURCE_DIR}/sw/machine/machine.h ${PROJECT_SOURCE_DIR}/sw/base/config.h
+            ${PROJECT_SOURCE_DIR}/sw/machine/machine.h ${PROJECT_SOURCE_DIR}/sw/machine/claim.h
+            ${PROJECT_SOURCE_DIR}/sw/machine/feeder.h ${PROJECT_SOURCE_DIR}/sw/machine/word.h
+            ${PROJECT_SOURCE_DIR}/sw/base/config.h
             ${PROJECT_SOURCE_DIR}/sw/facet/packet.h
     COMMENT "Verilating the ${n}x${n} array"
     VERBATIM)

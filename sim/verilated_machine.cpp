@@ -5,13 +5,17 @@
 #include <verilated_fst_c.h>
 
 #include <algorithm>
+#include <cstring>
 #include <stdexcept>
 #include <tuple>
+#include <type_traits>
+#include <vector>
 
 #include "Vrc2_machine.h"
 #include "sim/host_word.h"
 #include "sim/rtl_machine.h"
 #include "sim/wave_list.h"
+#include "sw/machine/feeder.h"
 
 namespace rc2 {
 namespace {
@@ -26,6 +30,7 @@ enum Register : std::uint8_t {
   kPacketBits = 0x14,
   kReadbackBits = 0x18,
   kFacetNumberBits = 0x1C,
+  kFeeders = 0x38,
   kCommand = 0x20,
   kStatus = 0x24,
   kBusyCycles = 0x28,
@@ -49,14 +54,17 @@ constexpr int kBusyDelay = 8;
 // Cycles without any target coming home after which a light is taken to hang.
 constexpr std::int64_t kPatience = 1'000'000;
 
-template <std::size_t Words>
-void set_pins(VlWide<Words>& pins, const HostWord& word) {
-  std::copy_n(word.limbs().begin(), Words, pins.data());
+// Puts a word into the pins of its feeder, which begin at byte `at`; the bytes are little-endian.
+template <typename Pins>
+void set_pins(Pins& pins, std::size_t at, const HostWord& word, std::size_t bytes) {
+  std::memcpy(reinterpret_cast<unsigned char*>(&pins) + at, word.limbs().data(), bytes);
 }
-void set_pins(QData& pins, const HostWord& word) {
-  pins = word.limbs()[0] | (static_cast<QData>(word.limbs()[1]) << 32);
-}
-void set_pins(IData& pins, const HostWord& word) { pins = word.limbs()[0]; }
+
+/// A value that a cell holds for one of its voxels, or a counter.
+struct Reading {
+  glm::ivec3 at;
+  std::uint32_t value;
+};
 
 class VerilatedMachine final : public Machine {
  public:
@@ -81,18 +89,21 @@ class VerilatedMachine final : public Machine {
 
   LoadResult load(const facet::PacketStream& packets, const Progress& progress) override {
     write_register(kCommand, kCommandClear);
-    const auto total = static_cast<double>(packets.heads.size());
-    std::size_t sent = 0;
-    for (const auto& head : packets.heads) {
-      send(head_word(format_, head));
-      for (std::uint32_t i = 0; i < head.bound_count; ++i) {
-        send(bound_word(format_, packets.bounds[head.first_bound + i], i + 1 == head.bound_count));
-      }
-      if (++sent % 64 == 0) progress("load", cycle_, static_cast<double>(sent) / total);
-    }
+    std::vector<FeederWords> feeders;
+    for (int k = 0; k < config_.feeders; ++k) feeders.emplace_back(packets, k, config_.feeders);
+    std::int64_t sent = 0;
+    send([&](std::size_t k, HostWord& word) {
+      if (feeders[k].done()) return false;
+      word = HostWord(format_, feeders[k].next());
+      if (++sent % 256 == 0) progress("load", cycle_, feeders[0].share());
+      return true;
+    });
     wait_until_idle();
     const LoadResult result{read_register(kBusyCycles)};
-    voxels_ = read_back(ReadWhat::voxels);
+    voxels_.clear();
+    for (const Reading& reading : read_back(ReadWhat::voxels)) {
+      voxels_.push_back({reading.at, Claim::unpacked(reading.value)});
+    }
     return result;
   }
 
@@ -134,8 +145,8 @@ class VerilatedMachine final : public Machine {
     const auto counts = read_back(ReadWhat::light);
     light_.clear();
     for (const auto& record : counts) {
-      light_.push_back(record.facet);
-      result.targets.absorbed += record.facet;
+      light_.push_back(record.value);
+      result.targets.absorbed += record.value;
     }
     result.targets.escaped = home - result.targets.absorbed;
     if (!all_home) {
@@ -143,9 +154,9 @@ class VerilatedMachine final : public Machine {
                                          result.targets.total));
     }
     for (const auto& record : read_back(ReadWhat::counters)) {
-      if (record.at.z == 0) result.visits += record.facet;
+      if (record.at.z == 0) result.visits += record.value;
       if (record.at.z == 1)
-        result.max_queue = std::max<std::int64_t>(result.max_queue, record.facet);
+        result.max_queue = std::max<std::int64_t>(result.max_queue, record.value);
     }
     return result;
   }
@@ -203,6 +214,7 @@ class VerilatedMachine final : public Machine {
     config.fraction_bits = static_cast<int>(read_register(kF));
     config.max_distance = static_cast<int>(read_register(kLmax));
     config.max_fa = static_cast<int>(read_register(kFamax));
+    config.feeders = static_cast<int>(read_register(kFeeders));
     return config;
   }
 
@@ -240,22 +252,42 @@ class VerilatedMachine final : public Machine {
   }
 
   // ---- AXI4-Stream -------------------------------------------------------------------------
-  void send(const HostWord& word) {
-    set_pins(top_.s_axis_tdata, word);
-    top_.s_axis_tlast = word.last() ? 1 : 0;
-    top_.s_axis_tvalid = 1;
-    bool taken = false;
-    while (!taken) {
-      taken = top_.s_axis_tready != 0;
+  /// Sends to every feeder what next(feeder, word) gives, until it gives no more.
+  template <typename Next>
+  void send(Next next) {
+    const auto feeders = static_cast<std::size_t>(config_.feeders);
+    const auto bytes = static_cast<std::size_t>(format_.packet_bits() + 7) / 8;
+    HostWord word(format_, ReadWhat::voxels);
+    std::uint64_t valid = 0;
+    const auto offer = [&](std::size_t k) {
+      if (!next(k, word)) return;
+      set_pins(top_.s_axis_tdata, k * bytes, word, bytes);
+      valid |= std::uint64_t{1} << k;
+    };
+    for (std::size_t k = 0; k < feeders; ++k) offer(k);
+    while (valid != 0) {
+      top_.s_axis_tvalid =
+          static_cast<std::remove_reference_t<decltype(top_.s_axis_tvalid)>>(valid);
+      const std::uint64_t taken = valid & top_.s_axis_tready;
       tick();
+      valid &= ~taken;
+      for (std::size_t k = 0; k < feeders; ++k) {
+        if ((taken >> k & 1U) != 0) offer(k);
+      }
     }
     top_.s_axis_tvalid = 0;
   }
 
-  /// Asks every cell for its words; `facet` of a record is the value read. Sorted by z, y, x.
-  VoxelMemory read_back(ReadWhat what) {
-    VoxelMemory records;
-    send(read_word(format_, what));
+  /// Asks every cell for its words. Sorted by z, y, x.
+  std::vector<Reading> read_back(ReadWhat what) {
+    std::vector<Reading> records;
+    std::vector<bool> asked(static_cast<std::size_t>(config_.feeders));
+    send([&](std::size_t k, HostWord& word) {
+      if (asked[k]) return false;
+      word = HostWord(format_, what);
+      asked[k] = true;
+      return true;
+    });
     top_.m_axis_tready = 1;
     int cell = 0;
     bool ended = false;
@@ -274,7 +306,7 @@ class VerilatedMachine final : public Machine {
     }
     top_.m_axis_tready = 0;
     if (cell != config_.n * config_.n) throw std::logic_error("the readback missed cells");
-    std::sort(records.begin(), records.end(), [](const VoxelRecord& a, const VoxelRecord& b) {
+    std::sort(records.begin(), records.end(), [](const Reading& a, const Reading& b) {
       return std::tie(a.at.z, a.at.y, a.at.x) < std::tie(b.at.z, b.at.y, b.at.x);
     });
     wait_until_idle();

@@ -29,8 +29,8 @@ module rc2_collector (
   logic own_done_q;
 
   assign room = (held != 2'd2);
-  assign row_ends = (row_word_i[RowWordW-2-:2] == rc2_pkg::KindRead);
-  assign above_ends = (above_word_i[RowWordW-2-:2] == rc2_pkg::KindRead);
+  assign row_ends = (row_word_i[RowWordW-1-:rc2_pkg::KindW] == rc2_pkg::KindRead);
+  assign above_ends = (above_word_i[RowWordW-1-:rc2_pkg::KindW] == rc2_pkg::KindRead);
   assign row_ready_o = room && !own_done_q;
   assign above_ready_o = room && own_done_q;
   assign row_taken = row_valid_i && row_ready_o;
@@ -61,7 +61,7 @@ module rc2_collector (
   // Contract: only readback comes out of a row: facet packets end inside their box.
   always_ff @(posedge clk_i) begin
     if (rst_ni && row_valid_i) begin
-      assert (row_word_i[RowWordW-2-:2] == rc2_pkg::KindData || row_ends);
+      assert (row_word_i[RowWordW-1-:rc2_pkg::KindW] == rc2_pkg::KindData || row_ends);
     end
   end
 endmodule

@@ -4,6 +4,8 @@
 // its capability registers and the host refuses to talk to a machine whose numbers differ.
 #pragma once
 
+#include <algorithm>
+
 namespace rc2 {
 
 /// What a machine was built for. A job may ask for less (fraction bits, L, FA), never for more.
@@ -12,6 +14,7 @@ struct MachineConfig {
   int fraction_bits = 4;  ///< f: vertices are multiples of 2^-f voxel
   int max_distance = 64;  ///< largest distance L of the virtual faces
   int max_fa = 32;        ///< deepest beam queue (FA) of a cell
+  int feeders = 1;        ///< row feeders that the host port serves; a power of two <= n
 };
 
 constexpr int kMaxSide = 1024;       ///< largest n the 64-bit host arithmetic is proven for
@@ -29,11 +32,40 @@ constexpr int bits_for(long long count) {
 /// Bits of one coordinate (at least one, as in hardware).
 constexpr int coordinate_bits(int n) { return n <= 2 ? 1 : bits_for(n); }
 
-/// Signed bits of a plane coefficient: twice a projected area, at most (n * 2^f)^2, a power of two
-/// that is reached when n is one and half a face of the cube is covered.
-constexpr int coefficient_bits(int n, int f) { return 2 * (coordinate_bits(n) + f) + 2; }
+/// A gap is kept in sixteenths of a voxel, -2 .. 2 voxels (sw/machine/claim.h).
+constexpr int kGapFractionBits = 4;
+constexpr int kGapBits = 6;
 
-/// Signed bits of a bound's offset at any cell of the grid (thesis 3.9: T and U).
-constexpr int offset_bits(int n, int f) { return 3 * coordinate_bits(n) + 2 * f + 3; }
+/// What a machine keeps of a voxel's owner: core, gap, facet number.
+constexpr int kClaimBits = 1 + kGapBits + kFacetBits;
+
+/// Fraction bits of a gap on its way through a box: three coefficients, each half a unit wrong, are
+/// stepped n times at most, which leaves an error of 3/8 of a sixteenth.
+constexpr int gap_fraction_bits(int n) { return coordinate_bits(n) + 2 + kGapFractionBits; }
+
+/// Signed bits of such a gap. It is exact modulo four voxels, which is all that is kept of it.
+constexpr int gap_value_bits(int n) { return gap_fraction_bits(n) + kGapBits - kGapFractionBits; }
+
+/// Signed bits of a plane coefficient: twice a projected area, at most (n * 2^f)^2, a power of two
+/// that is reached when n is one and half a face of the cube is covered. A slab's width, at most
+/// the sum of three, fits without the sign.
+constexpr int plane_bits(int n, int f) { return 2 * (coordinate_bits(n) + f) + 2; }
+
+/// Bits of a word's coefficient, whatever it belongs to.
+constexpr int coefficient_bits(int n, int f) {
+  return std::max(plane_bits(n, f), gap_value_bits(n));
+}
+
+/// Signed bits of a slab's or side's value at any cell of the grid (thesis 3.9: T, U and Ti).
+constexpr int offset_bits(int n, int f) {
+  return std::max(3 * coordinate_bits(n) + 2 * f + 3, gap_value_bits(n));
+}
+
+/// Signed bits of a side's coefficient: an edge of a facet, at most n * 2^f long, a power of two
+/// that is reached.
+constexpr int side_bits(int n, int f) { return coordinate_bits(n) + f + 2; }
+
+/// Bits of a side's push: half of two edges, and what rounding adds.
+constexpr int push_bits(int n, int f) { return coordinate_bits(n) + f + 1; }
 
 }  // namespace rc2

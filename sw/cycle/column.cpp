@@ -20,14 +20,14 @@ void Columns::clear() {
   for (auto& column : voxels_) column.clear();
 }
 
-void Columns::fill(std::size_t column, int z, std::uint32_t facet) {
+void Columns::fill(std::size_t column, int z, const Claim& claim) {
   auto& voxels = voxels_[column];
   const std::size_t at = place(column, z);
   if (occupied(column, z)) {
-    voxels[at].owner = std::min(voxels[at].owner, facet);
+    voxels[at].claim = std::min(voxels[at].claim, claim.packed());
   } else {
     occupied_[word_of(column, z)] |= std::uint64_t{1} << (z % 64);
-    voxels.insert(voxels.begin() + static_cast<std::ptrdiff_t>(at), Voxel{facet, 0});
+    voxels.insert(voxels.begin() + static_cast<std::ptrdiff_t>(at), Voxel{claim.packed(), 0});
   }
 }
 

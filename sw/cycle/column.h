@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "sw/machine/claim.h"
+
 namespace rc2::cycle {
 
 /// Column c is that of cell y*n + x. Only occupied voxels have an owner and a count, so only they
@@ -24,8 +26,8 @@ class Columns {
   /// Forgets all voxels.
   void clear();
 
-  /// Gives a voxel to a facet; of several facets the lowest number keeps it.
-  void fill(std::size_t column, int z, std::uint32_t facet);
+  /// Gives a voxel to the facet that claims it, unless its owner has the better claim.
+  void fill(std::size_t column, int z, const Claim& claim);
 
   /// Forgets the light.
   void darken();
@@ -35,8 +37,8 @@ class Columns {
     voxels_[column][place(column, z)].arrived += static_cast<std::uint32_t>(targets);
   }
 
-  std::uint32_t owner(std::size_t column, int z) const {
-    return voxels_[column][place(column, z)].owner;
+  Claim owner(std::size_t column, int z) const {
+    return Claim::unpacked(voxels_[column][place(column, z)].claim);
   }
   std::uint32_t arrived(std::size_t column, int z) const {
     return voxels_[column][place(column, z)].arrived;
@@ -44,7 +46,7 @@ class Columns {
 
  private:
   struct Voxel {
-    std::uint32_t owner, arrived;
+    std::uint32_t claim, arrived;
   };
 
   std::size_t word_of(std::size_t column, int z) const {

@@ -12,14 +12,14 @@ CycleMachine::CycleMachine(const MachineConfig& config)
 LoadResult CycleMachine::load(const facet::PacketStream& packets, const Progress& progress) {
   check_packets(config_, packets);
   columns_.clear();
-  return {LoadArray(config_.n, columns_).run(packets, progress)};
+  return {LoadArray(config_.n, config_.feeders, columns_).run(packets, progress)};
 }
 
 LightResult CycleMachine::light(const LightJob& job, const Progress& progress) {
   check_light(config_, job);
   const std::size_t column = cell_number(job.source.x, job.source.y, config_.n);
   if (columns_.occupied(column, job.source.z)) {
-    refuse_occupied_source(job, columns_.owner(column, job.source.z));
+    refuse_occupied_source(job, columns_.owner(column, job.source.z).facet);
   }
   return light_array_.run(job, observer_, progress);
 }

@@ -1,72 +1,103 @@
 #include "sw/cycle/dexel.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace rc2::cycle {
 
-void Dexel::step(const Word* word, bool fill_ready) {
-  if (settling_ && (nothing() || fill_ready)) settling_ = false;
-  if (dividing_) {
-    divide();
-  } else if (word != nullptr) {
-    if (word->kind == Kind::head) {
-      take_head(*word);
+bool Dexel::ready(const Word& word, bool fill_ready) const {
+  if (word.kind == WordKind::head || outer_.empty()) return true;
+  if (word.kind == WordKind::gap) return fill_ready;
+  return dividing_ ? bit_ == 1 : !divides(word);
+}
+
+void Dexel::step(const Word& word, bool taken) {
+  if (word.kind == WordKind::head) {
+    if (taken) take_head(word);
+  } else if (word.kind != WordKind::gap && !outer_.empty() && (taken || !ready(word, false))) {
+    if (dividing_) {
+      divide(word);
     } else {
-      take_bound(*word);
+      begin(word);
     }
   }
+}
+
+Span Dexel::offered(const Word& gap) const {
+  return {facet_, z0_, outer_.lo, outer_.hi, core_.lo, core_.hi, gap.d, gap.c};
 }
 
 void Dexel::take_head(const Word& word) {
   facet_ = word.facet;
+  width_ = word.reach;
   z0_ = word.z0;
-  lo_ = 0;
-  hi_ = word.z_span;
-  for (top_ = 1; top_ <= hi_; top_ *= 2) {
-  }
-  empty_ = false;
-}
-
-// The bound c*z + d >= 0 is z >= floor((c-1-d)/c) for c > 0 and z <= floor(d/-c) for c < 0.
-void Dexel::take_bound(const Word& word) {
-  if (word.c == 0) {
-    empty_ = empty_ || word.d < 0;
-    settling_ = word.last;
-    return;
-  }
-  lower_ = word.c > 0;
-  const std::int64_t divisor = lower_ ? word.c : -word.c;
-  const std::int64_t numerator = lower_ ? word.c - 1 - word.d : word.d;
-  const bool below = numerator < 0;
-  const bool above = numerator >= divisor * top_;
-  if (!below && !above && top_ != 1 && !empty_) {
-    dividing_ = true;
-    last_ = word.last;
-    rest_ = numerator;
-    bit_ = top_ / 2;
-    divisor_ = divisor * bit_;
-    quotient_ = 0;
-  } else {
-    empty_ = empty_ || (lower_ ? above : below);
-    settling_ = word.last;
+  outer_ = core_ = {0, word.z_span};
+  for (top_ = 1; top_ <= word.z_span; top_ *= 2) {
   }
 }
 
-void Dexel::divide() {
-  if (rest_ >= divisor_) {
-    rest_ -= divisor_;
-    quotient_ |= bit_;
+// c*z + e >= 0 is z >= floor((c-1-e)/c) for c > 0 and z <= floor(e/-c) for c < 0. A slab has a back
+// c*z + d >= 0 and a front -c*z + width - d >= 0, a side has c*z + d >= 0 and a core
+// c*z + d - push >= 0.
+std::array<Dexel::Bound, 2> Dexel::bounds(const Word& word) const {
+  const bool slab = word.kind == WordKind::slab;
+  const auto bound = [](std::int64_t c, std::int64_t e, bool core) {
+    const bool lower = c > 0;
+    const std::int64_t divisor = std::abs(c);
+    return Bound{c == 0, lower, lower ? divisor - 1 - e : e, divisor, core};
+  };
+  return {bound(word.c, word.d, false),
+          slab ? bound(-word.c, width_ - word.d, false) : bound(word.c, word.d - word.reach, true)};
+}
+
+bool Dexel::divides(const Bound& bound) const {
+  return !bound.flat && bound.numerator >= 0 && !is_beyond(bound) && top_ != 1 &&
+         !(bound.core ? core_ : outer_).empty();
+}
+
+// Holds for no z of the range.
+bool Dexel::fails(const Bound& bound) const {
+  return bound.flat || !bound.lower ? bound.numerator < 0 : is_beyond(bound);
+}
+
+// Nothing is divided for a dexel that the other bound has emptied.
+bool Dexel::divides(const Word& word) const {
+  const auto both = bounds(word);
+  for (const Bound& bound : both) {
+    if (!bound.core && fails(bound)) return false;
   }
-  divisor_ /= 2;
-  if (bit_ == 1) {
-    if (lower_) {
-      lo_ = std::max(lo_, quotient_);
-    } else {
-      hi_ = std::min(hi_, quotient_);
+  return divides(both[0]) || divides(both[1]);
+}
+
+void Dexel::begin(const Word& word) {
+  const auto both = bounds(word);
+  dividing_ = divides(word);
+  bit_ = top_ / 2;
+  divisor_ = both[0].divisor * bit_;
+  for (std::size_t i = 0; i < 2; ++i) quotients_[i] = {divides(both[i]), both[i].numerator, 0};
+  for (const Bound& bound : both) {
+    if (fails(bound)) interval(bound) = {1, 0};
+  }
+}
+
+void Dexel::divide(const Word& word) {
+  const auto both = bounds(word);
+  for (std::size_t i = 0; i < 2; ++i) {
+    Quotient& quotient = quotients_[i];
+    if (quotient.rest >= divisor_) {
+      quotient.rest -= divisor_;
+      quotient.value |= bit_;
     }
-    dividing_ = false;
-    settling_ = last_;
+    if (bit_ != 1 || !quotient.wanted) continue;
+    Interval& narrowed = interval(both[i]);
+    if (both[i].lower) {
+      narrowed.lo = std::max(narrowed.lo, quotient.value);
+    } else {
+      narrowed.hi = std::min(narrowed.hi, quotient.value);
+    }
   }
+  dividing_ = bit_ != 1;
+  divisor_ /= 2;
   bit_ /= 2;
 }
 

@@ -3,17 +3,17 @@
 namespace rc2::cycle {
 
 bool FacetStage::here() const {
-  return front().kind == Kind::head ? front().skip[lead_] == 0 : here_;
+  return front().kind == WordKind::head ? front().skip[lead_] == 0 : here_;
 }
 
 bool FacetStage::on() const {
-  return front().kind == Kind::head ? front().skip[lead_] != 0 || front().take[lead_] > 1 : on_;
+  return front().kind == WordKind::head ? front().skip[lead_] != 0 || front().take[lead_] > 1 : on_;
 }
 
 Word FacetStage::stepped() const {
   Word word = front();
-  if (word.kind == Kind::bound) {
-    if (here_) word.d += word.step[lead_];
+  if (word.kind != WordKind::head) {
+    if (here_) word.d += word.step[lead_] * stride_;
   } else if (word.skip[lead_] == 0) {
     --word.take[lead_];
   } else {
@@ -23,7 +23,7 @@ Word FacetStage::stepped() const {
 }
 
 void FacetStage::pop() {
-  if (front().kind == Kind::head) {
+  if (front().kind == WordKind::head) {
     const bool serves = here(), goes_on = on();
     here_ = serves;
     on_ = goes_on;

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "sw/cycle/word.h"
+#include "sw/machine/word.h"
 
 namespace rc2::cycle {
 
@@ -12,7 +12,9 @@ enum class Pipe : std::uint8_t { row = 0, vertical = 1 };
 
 class FacetStage {
  public:
-  explicit FacetStage(Pipe pipe) : lead_(static_cast<std::size_t>(pipe)) {}
+  /// `stride`: units from this one to the next.
+  FacetStage(Pipe pipe, std::int64_t stride)
+      : lead_(static_cast<std::size_t>(pipe)), stride_(stride) {}
 
   bool ready() const { return held_ != 2; }
   bool busy() const { return held_ != 0; }
@@ -36,6 +38,7 @@ class FacetStage {
 
  private:
   std::size_t lead_;
+  std::int64_t stride_;
   std::array<Word, 2> buffer_{};
   std::size_t first_ = 0, held_ = 0;
   bool here_ = false, on_ = false;  // the packet under way: serves this unit, goes on

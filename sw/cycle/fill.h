@@ -7,25 +7,33 @@
 
 namespace rc2::cycle {
 
-/// Facet `facet` fills voxels lo..hi of a column.
+/// Facet `facet` fills voxels z0+lo .. z0+hi of a column; its core is z0+core_lo .. z0+core_hi; the
+/// gap is gap_step*z + gap, z counted from z0.
 struct Span {
   std::uint32_t facet;
-  int lo, hi;
+  int z0, lo, hi, core_lo, core_hi;
+  std::int64_t gap, gap_step;
 };
 
 class Fill {
  public:
-  bool ready() const { return !walking_; }
-  bool busy() const { return walking_ || writing_; }
+  explicit Fill(int n) : n_(n) {}
+
+  bool ready() const { return !seeking_ && !walking_; }
+  bool busy() const { return !ready() || writing_; }
 
   /// One cycle of the unit of a column. `offered` is a dexel for it, or null; if ready it takes it.
   void step(const Span* offered, Columns& columns, std::size_t column);
 
  private:
-  bool walking_ = false, writing_ = false;
-  Span span_{};        // lo moves up while walking
+  Claim claim() const;
+
+  int n_;
+  bool seeking_ = false, walking_ = false, writing_ = false;
+  int to_seek_ = 0;    // bits of lo that the gap at lo still lacks
+  Span span_{};        // lo moves up while walking, and gap with it
   int written_z_ = 0;  // a voxel is written in the cycle after the walk is there
-  std::uint32_t written_facet_ = 0;
+  Claim written_;
 };
 
 }  // namespace rc2::cycle

@@ -1,103 +1,99 @@
 #include "sw/cycle/load_array.h"
 
+#include <algorithm>
+
+#include "sw/machine/feeder.h"
+
 namespace rc2::cycle {
 namespace {
 
 constexpr std::int64_t kProgressCycles = 4096;
 
-// The packets as words, one after the other.
-class Host {
- public:
-  explicit Host(const facet::PacketStream& packets) : packets_(packets) {}
-
-  bool done() const { return head_ == packets_.heads.size(); }
-
-  Word next() {
-    const facet::PacketHead& head = packets_.heads[head_];
-    if (word_ == 0) {
-      ++word_;
-      return head_word(head);
-    }
-    const facet::Bound& bound = packets_.bounds[head.first_bound + word_ - 1];
-    const bool last = word_ == head.bound_count;
-    if (last) {
-      ++head_;
-      word_ = 0;
-    } else {
-      ++word_;
-    }
-    return bound_word(bound, last);
-  }
-
-  double share() const {
-    return static_cast<double>(head_) / static_cast<double>(packets_.heads.size());
-  }
-
- private:
-  const facet::PacketStream& packets_;
-  std::size_t head_ = 0;
-  std::uint32_t word_ = 0;  // of the packet; 0 is its HEAD
-};
-
 }  // namespace
 
-LoadArray::LoadArray(int n, Columns& columns)
-    : n_(static_cast<std::size_t>(n)), columns_(columns), units_(n_ * n_) {
+LoadArray::LoadArray(int n, int feeders, Columns& columns)
+    : n_(static_cast<std::size_t>(n)),
+      feeders_(static_cast<std::size_t>(feeders)),
+      columns_(columns),
+      cells_(n_ * n_, Cell(n)) {
   for (std::size_t stage = 0; stage < n_ * (n_ + 1); ++stage) {
-    stages_.emplace_back(is_feeder(stage) ? Pipe::vertical : Pipe::row);
+    if (is_feeder(stage)) {
+      stages_.emplace_back(Pipe::vertical, feeders);
+    } else {
+      stages_.emplace_back(Pipe::row, 1);
+    }
   }
   fires_.resize(stages_.size());
   listed_.resize(stages_.size());
 }
 
 std::int64_t LoadArray::run(const facet::PacketStream& packets, const Progress& progress) {
-  Host host(packets);
+  std::vector<FeederWords> host;
+  for (std::size_t k = 0; k < feeders_; ++k) {
+    host.emplace_back(packets, static_cast<int>(k), static_cast<int>(feeders_));
+  }
+  const auto unsent = [&] {
+    return std::any_of(host.begin(), host.end(), [](const FeederWords& f) { return !f.done(); });
+  };
+  std::vector<std::uint8_t> taken(feeders_);
   std::int64_t busy_cycles = 0;
-  while (!host.done() || !active_.empty()) {
+  while (!active_.empty() || unsent()) {
     if (!active_.empty()) ++busy_cycles;
-    const bool taken = !host.done() && stages_[0].ready();
-    for (const std::size_t stage : active_) decide(stage);
+    for (std::size_t k = 0; k < feeders_; ++k) {
+      taken[k] = !host[k].done() && stages_[k * (n_ + 1)].ready() ? 1 : 0;
+    }
+    // All decisions come before all moves, and look at registers only.
+    for (const std::size_t stage : active_) fires_[stage] = fires(stage) ? 1 : 0;
     next_active_.clear();
     for (const std::size_t stage : active_) step(stage);
-    if (taken) push(0, host.next());
+    for (std::size_t k = 0; k < feeders_; ++k) {
+      if (taken[k] != 0) push(k * (n_ + 1), host[k].next());
+    }
     active_.swap(next_active_);
-    if (progress && busy_cycles % kProgressCycles == 0) progress("load", busy_cycles, host.share());
+    if (progress && busy_cycles % kProgressCycles == 0) {
+      progress("load", busy_cycles, host[0].share());
+    }
   }
   return busy_cycles;
 }
 
-// All decisions of a cycle come before all moves, and look at registers only.
-void LoadArray::decide(std::size_t stage) {
+bool LoadArray::fires(std::size_t stage) const {
   const FacetStage& own = stages_[stage];
-  fires_[stage] = 0;
-  if (!own.busy()) return;
-  if (own.here()) {
-    const bool unit_ready =
-        is_feeder(stage) ? stages_[stage + 1].ready()
-                         : units_[cell_of(stage)].dexel.ready(units_[cell_of(stage)].fill.ready());
-    if (!unit_ready) return;
-  }
-  if (own.on() && !stages_[stage + (is_feeder(stage) ? n_ + 1 : 1)].ready()) return;
-  fires_[stage] = 1;
+  if (!own.busy() || (own.on() && !stages_[after(stage)].ready())) return false;
+  if (!own.here()) return true;
+  if (is_feeder(stage)) return stages_[stage + 1].ready();
+  const Cell& cell = cells_[cell_of(stage)];
+  return cell.dexel.ready(own.front(), cell.fill.ready());
 }
 
 void LoadArray::step(std::size_t stage) {
   FacetStage& own = stages_[stage];
   const bool fires = fires_[stage] != 0;
-  const bool to_unit = fires && own.here();
-  if (fires && own.on()) push(stage + (is_feeder(stage) ? n_ + 1 : 1), own.stepped());
-  if (is_feeder(stage)) {
-    if (to_unit) push(stage + 1, own.front());
-  } else {
-    Unit& unit = units_[cell_of(stage)];
-    const bool fill_ready = unit.fill.ready();
-    const Span offered = unit.dexel.offered();
-    unit.fill.step(unit.dexel.offers() ? &offered : nullptr, columns_, cell_of(stage));
-    unit.dexel.step(to_unit ? &own.front() : nullptr, fill_ready);
+  const bool here = own.busy() && own.here();
+  if (fires && own.on()) push(after(stage), own.stepped());
+  if (!is_feeder(stage)) {
+    step_cell(stage, here);
+  } else if (fires && here) {
+    push(stage + 1, own.front());
   }
   if (fires) own.pop();
   listed_[stage] = busy(stage) ? 1 : 0;
   if (busy(stage)) next_active_.push_back(stage);
+}
+
+// The dexel and fill units; a word that is `here` leaves at the end of the cycle if it fires.
+void LoadArray::step_cell(std::size_t stage, bool here) {
+  const std::size_t column = cell_of(stage);
+  Cell& cell = cells_[column];
+  if (!here) {
+    cell.fill.step(nullptr, columns_, column);
+    return;
+  }
+  const Word& word = stages_[stage].front();
+  const bool taken = fires_[stage] != 0;
+  const Span offered = cell.dexel.offered(word);
+  cell.fill.step(taken && cell.dexel.offers(word) ? &offered : nullptr, columns_, column);
+  cell.dexel.step(word, taken);
 }
 
 void LoadArray::push(std::size_t stage, const Word& word) {
@@ -110,10 +106,7 @@ void LoadArray::push(std::size_t stage, const Word& word) {
 }
 
 bool LoadArray::busy(std::size_t stage) const {
-  if (stages_[stage].busy()) return true;
-  if (is_feeder(stage)) return false;
-  const Unit& unit = units_[cell_of(stage)];
-  return unit.dexel.busy() || unit.fill.busy();
+  return stages_[stage].busy() || (!is_feeder(stage) && cells_[cell_of(stage)].fill.busy());
 }
 
 }  // namespace rc2::cycle

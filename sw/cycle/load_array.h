@@ -1,5 +1,5 @@
-// The array while it loads (rtl/rc2_array.sv): the vertical pipe of feeders, a pipe of cells in
-// each row, and in each cell the dexel and fill units.
+// The array while it loads (rtl/rc2_array.sv): the vertical pipes of row feeders, a pipe of cells
+// in each row, and in each cell the dexel and fill units.
 #pragma once
 
 #include <cstdint>
@@ -15,31 +15,37 @@ namespace rc2::cycle {
 
 class LoadArray {
  public:
-  LoadArray(int n, Columns& columns);
+  LoadArray(int n, int feeders, Columns& columns);
 
-  /// Sends all packets, a word in every cycle in which the first feeder takes one, and runs until
+  /// Sends all packets, a word in every cycle in which a feeder takes one, and runs until
   /// everything is at rest. Returns the number of cycles in which anything was busy.
   std::int64_t run(const facet::PacketStream& packets, const Progress& progress);
 
  private:
-  struct Unit {
+  struct Cell {
+    explicit Cell(int n) : fill(n) {}
     Dexel dexel;
     Fill fill;
   };
 
-  // Stage y*(n+1) is the feeder of row y, the n after it are the stages of the row's cells.
+  // Stage y*(n+1) is that of row y in its vertical pipe, the n after it are those of the row's
+  // cells.
   bool is_feeder(std::size_t stage) const { return stage % (n_ + 1) == 0; }
   std::size_t cell_of(std::size_t stage) const { return stage - stage / (n_ + 1) - 1; }
+  std::size_t after(std::size_t stage) const {
+    return stage + (is_feeder(stage) ? feeders_ * (n_ + 1) : 1);
+  }
 
-  void decide(std::size_t stage);
+  bool fires(std::size_t stage) const;
   void step(std::size_t stage);
+  void step_cell(std::size_t stage, bool here);
   void push(std::size_t stage, const Word& word);
   bool busy(std::size_t stage) const;
 
-  std::size_t n_;
+  std::size_t n_, feeders_;
   Columns& columns_;
   std::vector<FacetStage> stages_;
-  std::vector<Unit> units_;           // of cell y*n + x
+  std::vector<Cell> cells_;           // cell y*n + x
   std::vector<std::uint8_t> fires_;   // per stage: its oldest word leaves in this cycle
   std::vector<std::uint8_t> listed_;  // per stage: is in active_ or next_active_
   std::vector<std::size_t> active_, next_active_;

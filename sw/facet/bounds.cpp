@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <glm/common.hpp>
 
+#include "sw/base/config.h"
+
 namespace rc2::facet {
 namespace {
 
@@ -64,20 +66,33 @@ std::int64_t side_offset(std::int64_t eu, std::int64_t ev, Rule rule) {
 
 class PacketWriter {
  public:
-  PacketWriter(const Grid& grid, const Vertex& normal, const glm::ivec3& lo, PacketStream& stream)
-      : grid_(grid), normal_(normal), lo_(lo), stream_(stream) {}
+  PacketWriter(const Grid& grid, const Vertex& normal, const glm::ivec3& lo)
+      : grid_(grid), normal_(normal), lo_(lo) {}
 
-  void add_slab(const Vertex& on_plane) {
+  Slab slab(const Vertex& on_plane) const {
     const Fraction w = slab_thickness(normal_, grid_.rule);
     const Wide level = Wide(2) * dot(normal_, on_plane) * w.denominator;
     const Wide reach = grid_.one * w.numerator;
     const Wide denominator = Wide(2) * grid_.one * w.denominator;
-    add(-normal_, bound_constant(-normal_, level + reach, denominator, grid_.rule));
-    add(normal_, bound_constant(normal_, reach - level, denominator, grid_.rule));
+    const std::int64_t front = bound_constant(-normal_, level + reach, denominator, grid_.rule);
+    const std::int64_t back = bound_constant(normal_, reach - level, denominator, grid_.rule);
+    return {from_corner(normal_, back), front + back};
   }
 
-  // One bound per side of the border, seen along the axis (N must not be zero there).
-  void add_sides(const Border& border, int axis) {
+  Linear gap(const Vertex& on_plane) const {
+    const std::int64_t unit = std::int64_t{1} << gap_fraction_bits(grid_.n);
+    const std::int64_t size = std::abs(normal_[dominant_axis(normal_)]);
+    const auto rounded = [&](auto numerator, auto denominator) {
+      return static_cast<std::int64_t>(
+          floor_divide(2 * unit * numerator + denominator, 2 * denominator));
+    };
+    const Vertex corner = Vertex(lo_) * grid_.one - on_plane;
+    return {rounded(normal_.x, size), rounded(normal_.y, size), rounded(normal_.z, size),
+            rounded(Wide(dot(normal_, corner)), Wide(size) * grid_.one)};
+  }
+
+  // One per side of the border, seen along the axis (N must not be zero there).
+  void add_sides(const Border& border, int axis, std::vector<Side>& sides) const {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     const std::int64_t sign = normal_[axis] < 0 ? -1 : 1;
     for (std::size_t i = 0; i < border.size(); ++i) {
@@ -87,21 +102,24 @@ class PacketWriter {
       Vertex inwards(0);
       inwards[u] = -sign * ev;
       inwards[v] = sign * eu;
-      const std::int64_t numerator =
-          2 * sign * (ev * from[u] - eu * from[v]) + grid_.one * side_offset(eu, ev, grid_.rule);
-      add(inwards, bound_constant(inwards, numerator, 2 * grid_.one, grid_.rule));
+      const std::int64_t level = 2 * sign * (ev * from[u] - eu * from[v]);
+      const std::int64_t reach = grid_.one * side_offset(eu, ev, grid_.rule);
+      const auto constant = [&](std::int64_t numerator) {
+        return bound_constant(inwards, numerator, 2 * grid_.one, grid_.rule);
+      };
+      const std::int64_t pushed = constant(level + reach);
+      sides.push_back({from_corner(inwards, pushed), pushed - constant(level)});
     }
   }
 
  private:
-  void add(const Vertex& a, std::int64_t d) {
-    stream_.bounds.push_back({a.x, a.y, a.z, d + dot(a, Vertex(lo_))});
+  Linear from_corner(const Vertex& a, std::int64_t d) const {
+    return {a.x, a.y, a.z, d + dot(a, Vertex(lo_))};
   }
 
   const Grid& grid_;
   const Vertex& normal_;
   const glm::ivec3& lo_;
-  PacketStream& stream_;
 };
 
 }  // namespace
@@ -130,16 +148,17 @@ bool append_packet(const Border& border, const Vertex& normal, std::uint32_t fac
     head.hi[axis] = static_cast<int>(std::min<std::int64_t>(grid.n - 1, floor_divide(end, two)));
     if (head.lo[axis] > head.hi[axis]) return false;
   }
-  head.first_bound = static_cast<std::uint32_t>(stream.bounds.size());
-  PacketWriter writer(grid, normal, head.lo, stream);
-  writer.add_slab(border[0]);
+  const PacketWriter writer(grid, normal, head.lo);
+  head.slab = writer.slab(border[0]);
+  head.gap = writer.gap(border[0]);
+  head.first_side = static_cast<std::uint32_t>(stream.sides.size());
   if (grid.rule == Rule::supercover) {
     for (int axis = 0; axis < 3; ++axis)
-      if (normal[axis] != 0) writer.add_sides(border, axis);
+      if (normal[axis] != 0) writer.add_sides(border, axis, stream.sides);
   } else {
-    writer.add_sides(border, dominant_axis(normal));
+    writer.add_sides(border, dominant_axis(normal), stream.sides);
   }
-  head.bound_count = static_cast<std::uint32_t>(stream.bounds.size()) - head.first_bound;
+  head.side_count = static_cast<std::uint32_t>(stream.sides.size()) - head.first_side;
   stream.heads.push_back(head);
   return true;
 }

@@ -23,7 +23,7 @@ class Builder {
     const std::size_t sides = grid_.rule == Rule::supercover ? 3 * corners : corners;
     set_.facets.reserve(polygons);
     set_.packets.heads.reserve(polygons);
-    set_.packets.bounds.reserve(2 * polygons + sides);
+    set_.packets.sides.reserve(sides);
     for (std::size_t i = 0; i < polygons; ++i) add_polygon(i);
     set_.counts.read = static_cast<std::int64_t>(polygons);
     set_.counts.loaded = static_cast<std::int64_t>(set_.facets.size());

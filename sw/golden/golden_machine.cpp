@@ -15,7 +15,7 @@ LoadResult GoldenMachine::load(const facet::PacketStream& packets, const Progres
   grid_.clear();
   for (std::size_t i = 0; i < packets.heads.size(); ++i) {
     const facet::PacketHead& packet = packets.heads[i];
-    fill_facet(grid_, packet, &packets.bounds[packet.first_bound]);
+    fill_facet(grid_, packet, packets.sides.data() + packet.first_side);
     if (progress && i % 4096 == 0) {
       progress("load", 0, static_cast<double>(i) / static_cast<double>(packets.heads.size()));
     }
@@ -32,7 +32,7 @@ void GoldenMachine::number_voxels() {
       for (at.x = 0; at.x < config_.n; ++at.x) {
         std::uint32_t& voxel = grid_[grid_.index(at)];
         if (voxel == Grid::kFree) continue;
-        voxels_.push_back({at, voxel});
+        voxels_.push_back({at, Claim::unpacked(voxel)});
         voxel = static_cast<std::uint32_t>(voxels_.size() - 1);
       }
     }
@@ -42,7 +42,7 @@ void GoldenMachine::number_voxels() {
 LightResult GoldenMachine::light(const LightJob& job, const Progress& progress) {
   check_light(config_, job);
   const std::uint32_t source_voxel = grid_[grid_.index(job.source)];
-  if (source_voxel != Grid::kFree) refuse_occupied_source(job, voxels_[source_voxel].facet);
+  if (source_voxel != Grid::kFree) refuse_occupied_source(job, voxels_[source_voxel].owner.facet);
 
   arrived_.assign(voxels_.size(), 0);
   const Diffusion diffusion = diffuse(grid_, job.source, job.target_distance, arrived_, progress);

@@ -27,7 +27,7 @@ class GoldenMachine : public Machine {
 
  private:
   // Lists the occupied voxels in the order of every dump and puts into the grid, in place of the
-  // owner's number, that of the voxel: where to count the rays that end there.
+  // owner's claim, the number of the voxel: where to count the rays that end there.
   void number_voxels();
 
   MachineConfig config_;

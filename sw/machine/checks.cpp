@@ -32,26 +32,40 @@ void check_packet(const MachineConfig& config, const facet::PacketStream& stream
   if (packet.lo.x > packet.hi.x || packet.lo.y > packet.hi.y || packet.lo.z > packet.hi.z) {
     refuse("its box is empty");
   }
-  if (packet.bound_count < 2) refuse("it has fewer than two bounds");
-  if (std::size_t{packet.first_bound} + packet.bound_count > stream.bounds.size()) {
-    refuse("its bounds are missing");
+  if (std::size_t{packet.first_side} + packet.side_count > stream.sides.size()) {
+    refuse("its sides are missing");
   }
-  const int coefficient = coefficient_bits(config.n, config.fraction_bits);
-  const int offset = offset_bits(config.n, config.fraction_bits);
-  for (std::uint32_t i = 0; i < packet.bound_count; ++i) {
-    const facet::Bound& bound = stream.bounds[packet.first_bound + i];
-    if (!fits(bound.a, coefficient) || !fits(bound.b, coefficient) || !fits(bound.c, coefficient)) {
+  const int n = config.n, f = config.fraction_bits;
+  const auto check_linear = [&](const facet::Linear& value, int bits) {
+    if (!fits(value.a, bits) || !fits(value.b, bits) || !fits(value.c, bits)) {
       refuse("a coefficient is too large");
     }
-    // Stepped from cell to cell the offset goes from d to its values in the corners of the box.
-    const std::int64_t east = bound.a * (packet.hi.x - packet.lo.x);
-    const std::int64_t north = bound.b * (packet.hi.y - packet.lo.y);
+    // Stepped from cell to cell the value goes from d to that in the corners of the box.
+    const std::int64_t east = value.a * (packet.hi.x - packet.lo.x);
+    const std::int64_t north = value.b * (packet.hi.y - packet.lo.y);
     const std::int64_t lowest = std::min<std::int64_t>(east, 0) + std::min<std::int64_t>(north, 0);
     const std::int64_t highest = std::max<std::int64_t>(east, 0) + std::max<std::int64_t>(north, 0);
-    if (!fits(bound.d, offset) || !fits(bound.d + lowest, offset) ||
-        !fits(bound.d + highest, offset)) {
+    const int offset = offset_bits(n, f);
+    if (!fits(value.d, offset) || !fits(value.d + lowest, offset) ||
+        !fits(value.d + highest, offset)) {
       refuse("an offset is too large");
     }
+  };
+  const auto check_reach = [&](std::int64_t reach, int bits) {
+    if (reach < 0 || reach >> bits != 0) refuse("its slab is too thick or a side pushed too far");
+  };
+  check_linear(packet.slab.value, plane_bits(n, f));
+  check_reach(packet.slab.width, plane_bits(n, f));
+  for (std::uint32_t i = 0; i < packet.side_count; ++i) {
+    const facet::Side& side = stream.sides[packet.first_side + i];
+    check_linear(side.value, side_bits(n, f));
+    check_reach(side.push, push_bits(n, f));
+  }
+  // A gap may wrap: only what is left of it inside the facet is kept.
+  const int steepest = gap_value_bits(n);
+  if (!fits(packet.gap.a, steepest) || !fits(packet.gap.b, steepest) ||
+      !fits(packet.gap.c, steepest) || !fits(packet.gap.d, 48)) {
+    refuse("its gap is too large");
   }
 }
 
@@ -73,6 +87,12 @@ const MachineConfig& checked(const MachineConfig& config) {
   check("fraction bits", config.fraction_bits, 0, kMaxFractionBits);
   check("largest target distance L", config.max_distance, 1, kMaxDistance);
   check("deepest FA", config.max_fa, 1, 1 << 30);
+  if (config.feeders < 1 || config.feeders > config.n ||
+      (config.feeders & (config.feeders - 1)) != 0) {
+    throw Error(fmt::format(
+        "a machine of n = {} cannot have {} row feeders: choose a power of two from 1 to {}",
+        config.n, config.feeders, config.n));
+  }
   return config;
 }
 

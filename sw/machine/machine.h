@@ -14,6 +14,7 @@
 #include "sw/base/config.h"
 #include "sw/base/error.h"
 #include "sw/facet/packet.h"
+#include "sw/machine/claim.h"
 
 namespace rc2 {
 
@@ -47,10 +48,10 @@ struct LightResult {
   TargetCount targets;
 };
 
-/// An occupied voxel and the facet that owns it.
+/// An occupied voxel and its owner.
 struct VoxelRecord {
   glm::ivec3 at;
-  std::uint32_t facet;
+  Claim owner;
 };
 
 /// Occupied voxels sorted by z, then y, then x: the order of every dump.

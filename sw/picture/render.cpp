@@ -58,13 +58,14 @@ Image render(int n, const VoxelMemory& voxels, const std::vector<Lamp>& lamps,
   for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
     if (!foremost[pixel]) continue;
     const VoxelRecord& voxel = voxels[*foremost[pixel]];
-    if (voxel.facet >= facets.size() || facets[voxel.facet].material >= materials.size()) {
+    if (voxel.owner.facet >= facets.size() ||
+        facets[voxel.owner.facet].material >= materials.size()) {
       throw Error(
           fmt::format("voxel ({},{},{}) belongs to facet {}, of which the scene knows no "
                       "normal or material: load the machine with this scene",
-                      voxel.at.x, voxel.at.y, voxel.at.z, voxel.facet));
+                      voxel.at.x, voxel.at.y, voxel.at.z, voxel.owner.facet));
     }
-    const facet::FacetInfo& facet = facets[voxel.facet];
+    const facet::FacetInfo& facet = facets[voxel.owner.facet];
     const scene::Material& material = materials[facet.material];
     const glm::vec3 normal = facet.normal.z < 0 ? -facet.normal : facet.normal;
 
@@ -81,7 +82,7 @@ Image render(int n, const VoxelMemory& voxels, const std::vector<Lamp>& lamps,
     image.colour[pixel] = colour;
     image.depth[pixel] = static_cast<float>(n) - 0.5F - static_cast<float>(voxel.at.z);
     image.normal[pixel] = normal;
-    image.facet[pixel] = voxel.facet;
+    image.facet[pixel] = voxel.owner.facet;
   }
   return image;
 }

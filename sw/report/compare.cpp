@@ -8,7 +8,7 @@
 namespace rc2::report {
 namespace {
 
-using Value = std::optional<std::uint32_t>;
+using Value = std::optional<std::int64_t>;
 
 bool before(glm::ivec3 a, glm::ivec3 b) {
   return std::tie(a.z, a.y, a.x) < std::tie(b.z, b.y, b.x);
@@ -28,10 +28,10 @@ class Comparer {
     const VoxelMemory &left = expected_.voxels, &right = got_.voxels;
     while (e < left.size() || g < right.size()) {
       if (g == right.size() || (e < left.size() && before(left[e].at, right[g].at))) {
-        note(result_.voxels_differing, left[e].at, "facet", left[e].facet, std::nullopt);
+        note(result_.voxels_differing, left[e].at, "facet", left[e].owner.facet, std::nullopt);
         ++e;
       } else if (e == left.size() || before(right[g].at, left[e].at)) {
-        note(result_.voxels_differing, right[g].at, "facet", std::nullopt, right[g].facet);
+        note(result_.voxels_differing, right[g].at, "facet", std::nullopt, right[g].owner.facet);
         ++g;
       } else {
         compare_voxel(e++, g++);
@@ -42,15 +42,20 @@ class Comparer {
 
  private:
   void compare_voxel(std::size_t e, std::size_t g) {
-    const VoxelRecord &left = expected_.voxels[e], &right = got_.voxels[g];
+    const glm::ivec3 at = expected_.voxels[e].at;
+    const Claim &left = expected_.voxels[e].owner, &right = got_.voxels[g].owner;
     if (left.facet != right.facet) {
-      note(result_.owners_differing, left.at, "facet", left.facet, right.facet);
+      note(result_.owners_differing, at, "facet", left.facet, right.facet);
+    } else if (left.core != right.core) {
+      note(result_.owners_differing, at, "core", left.core ? 1 : 0, right.core ? 1 : 0);
+    } else if (left.gap != right.gap) {
+      note(result_.owners_differing, at, "gap", left.gap, right.gap);
     }
     const std::size_t lights = std::max(expected_.lights.size(), got_.lights.size());
     for (std::size_t k = 0; k < lights; ++k) {
       const Value want = light_at(expected_, k, e), have = light_at(got_, k, g);
       if (want != have) {
-        note(result_.lights_differing, left.at, fmt::format("light{}", k), want, have);
+        note(result_.lights_differing, at, fmt::format("light{}", k), want, have);
       }
     }
   }

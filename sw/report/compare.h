@@ -12,15 +12,15 @@ namespace rc2::report {
 /// One value that two memories do not agree on; no value where the voxel is free.
 struct Difference {
   glm::ivec3 at;
-  std::string what;  ///< "facet", "light0", "light1", ...
-  std::optional<std::uint32_t> expected, got;
+  std::string what;  ///< "facet", "core", "gap", "light0", "light1", ...
+  std::optional<std::int64_t> expected, got;
 };
 
 constexpr std::size_t kFirstDifferences = 10;
 
 struct Comparison {
   std::int64_t voxels_differing = 0;  ///< occupied on one side only
-  std::int64_t owners_differing = 0;  ///< occupied on both sides, by different facets
+  std::int64_t owners_differing = 0;  ///< occupied on both sides, by different claims
   std::int64_t lights_differing = 0;  ///< counts of targets, over the voxels of both sides
   std::vector<Difference> first;      ///< the first kFirstDifferences in the order of z, y, x
 

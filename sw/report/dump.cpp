@@ -14,11 +14,11 @@
 namespace rc2::report {
 namespace {
 
-constexpr std::size_t kVoxelColumns = 4;
+constexpr std::size_t kVoxelColumns = 6;
 constexpr const char* kMend = "write it with rc2 run --dump or rc2 voxelize --dump";
 
 std::string header(std::size_t lights) {
-  std::string line = "x,y,z,facet";
+  std::string line = "x,y,z,facet,core,gap";
   for (std::size_t k = 0; k < lights; ++k) line += fmt::format(",light{}", k);
   return line;
 }
@@ -33,7 +33,7 @@ class Reader {
     if (!next_line()) refuse("there is no header");
     const auto commas = static_cast<std::size_t>(std::count(line_.begin(), line_.end(), ','));
     const std::size_t lights = commas + 1 < kVoxelColumns ? 0 : commas + 1 - kVoxelColumns;
-    if (line_ != header(lights)) refuse("the header is not x,y,z,facet,light0,light1,...");
+    if (line_ != header(lights)) refuse("the header is not x,y,z,facet,core,gap,light0,light1,...");
     memories_.lights.resize(lights);
     while (next_line()) add_row();
     if (file_.bad()) refuse_file(errno);
@@ -60,9 +60,13 @@ class Reader {
     words_left_ = kVoxelColumns + memories_.lights.size();
     constexpr auto kAny = std::numeric_limits<std::uint32_t>::max();
     VoxelRecord voxel{};
-    for (int axis = 0; axis < 3; ++axis) voxel.at[axis] = static_cast<int>(take(kMaxSide - 1));
-    voxel.facet = take(kMaxFacets - 1);
-    for (LightMemory& light : memories_.lights) light.push_back(take(kAny));
+    for (int axis = 0; axis < 3; ++axis) voxel.at[axis] = static_cast<int>(take(0, kMaxSide - 1));
+    voxel.owner.facet = static_cast<std::uint32_t>(take(0, kMaxFacets - 1));
+    voxel.owner.core = take(0, 1) != 0;
+    constexpr int kGapEnd = 1 << (kGapBits - 1);
+    voxel.owner.gap = static_cast<int>(take(-kGapEnd, kGapEnd - 1));
+    for (LightMemory& light : memories_.lights)
+      light.push_back(static_cast<std::uint32_t>(take(0, kAny)));
     if (!memories_.voxels.empty()) {
       const glm::ivec3 before = memories_.voxels.back().at, at = voxel.at;
       if (std::tie(before.z, before.y, before.x) >= std::tie(at.z, at.y, at.x)) {
@@ -72,7 +76,7 @@ class Reader {
     memories_.voxels.push_back(voxel);
   }
 
-  std::uint32_t take(std::uint32_t highest) {
+  std::int64_t take(std::int64_t lowest, std::int64_t highest) {
     const auto comma = rest_.find(',');
     --words_left_;
     if ((comma == std::string_view::npos) != (words_left_ == 0)) {
@@ -82,10 +86,11 @@ class Reader {
     }
     const std::string_view word = rest_.substr(0, comma);
     rest_.remove_prefix(comma == std::string_view::npos ? rest_.size() : comma + 1);
-    std::uint32_t value = 0;
+    std::int64_t value = 0;
     const auto [stop, failure] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (failure != std::errc() || stop != word.data() + word.size() || value > highest) {
-      refuse(fmt::format("'{}' is not a whole number from 0 to {}", word, highest));
+    if (failure != std::errc() || stop != word.data() + word.size() || value < lowest ||
+        value > highest) {
+      refuse(fmt::format("'{}' is not a whole number from {} to {}", word, lowest, highest));
     }
     return value;
   }
@@ -106,7 +111,8 @@ std::string to_csv(const Memories& memories) {
   const auto end = std::back_inserter(csv);
   for (std::size_t i = 0; i < memories.voxels.size(); ++i) {
     const VoxelRecord& voxel = memories.voxels[i];
-    fmt::format_to(end, "{},{},{},{}", voxel.at.x, voxel.at.y, voxel.at.z, voxel.facet);
+    fmt::format_to(end, "{},{},{},{},{},{}", voxel.at.x, voxel.at.y, voxel.at.z, voxel.owner.facet,
+                   voxel.owner.core ? 1 : 0, voxel.owner.gap);
     for (const LightMemory& light : memories.lights) fmt::format_to(end, ",{}", light[i]);
     csv += '\n';
   }

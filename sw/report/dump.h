@@ -14,8 +14,8 @@ struct Memories {
   std::vector<LightMemory> lights;
 };
 
-/// One row per occupied voxel under the header x,y,z,facet,light0,light1,...; rows in the order of
-/// VoxelMemory, lines end with a line feed.
+/// One row per occupied voxel under the header x,y,z,facet,core,gap,light0,light1,...; rows in the
+/// order of VoxelMemory, lines end with a line feed.
 std::string to_csv(const Memories& memories);
 
 /// Reads what to_csv wrote. Throws Error (file, line, what, mend) on anything else: a missing file,

@@ -22,11 +22,11 @@ void check_voxels(const VoxelMemory& voxels, int n, std::size_t facets) {
             fmt::format("the machine names voxel {} of a cube of side {}", place(at), n));
       }
     }
-    if (voxels[i].facet >= facets) {
+    if (voxels[i].owner.facet >= facets) {
       throw std::logic_error(
           fmt::format("the machine gives voxel {} to facet {}, but only {} were "
                       "loaded",
-                      place(at), voxels[i].facet, facets));
+                      place(at), voxels[i].owner.facet, facets));
     }
     if (i == 0) continue;
     const glm::ivec3 before = voxels[i - 1].at;

@@ -2,7 +2,6 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/gtc/quaternion.hpp>
 
 #include "fmt/format.h"
 #include "sw/base/config.h"
@@ -23,17 +22,6 @@ void add_colours(Scene& scene) {
     Material material;
     material.diffuse = colour;
     scene.materials.push_back(material);
-  }
-}
-
-// A random rotation by square roots only: sine and cosine differ between mathematics libraries.
-glm::dmat3 random_rotation(Random& random) {
-  for (;;) {
-    const double w = random.between(-1, 1), x = random.between(-1, 1), y = random.between(-1, 1),
-                 z = random.between(-1, 1);
-    const double length = w * w + x * x + y * y + z * z;
-    if (length > 0.01 && length < 1.0)
-      return glm::mat3_cast(glm::normalize(glm::dquat(w, x, y, z)));
   }
 }
 

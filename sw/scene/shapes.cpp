@@ -4,6 +4,9 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec2.hpp>
+#include <utility>
 
 namespace rc2::scene {
 namespace {
@@ -51,6 +54,22 @@ std::vector<Triangle> split(const std::vector<Triangle>& faces) {
   return result;
 }
 
+// 6 * 2^halvings directions round a circle, by square roots only (see random_rotation).
+std::vector<glm::dvec2> circle(int halvings) {
+  const double h = 0.5 * std::sqrt(3.0);
+  std::vector<glm::dvec2> directions = {{1, 0},  {0.5, h},   {-0.5, h},
+                                        {-1, 0}, {-0.5, -h}, {0.5, -h}};
+  for (; halvings > 0; --halvings) {
+    std::vector<glm::dvec2> finer;
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      finer.push_back(directions[i]);
+      finer.push_back(glm::normalize(directions[i] + directions[(i + 1) % directions.size()]));
+    }
+    directions = std::move(finer);
+  }
+  return directions;
+}
+
 }  // namespace
 
 void add_box(Scene& scene, const Box& box, std::uint32_t material, bool inwards) {
@@ -88,6 +107,44 @@ void add_sphere(Scene& scene, const glm::dvec3& centre, double radius, double ed
     scene.add(
         {on_grid(centre + radius * a), on_grid(centre + radius * b), on_grid(centre + radius * c)},
         material);
+}
+
+void add_torus(Scene& scene, const Torus& torus, std::uint32_t material) {
+  const std::vector<glm::dvec2> around = circle(2), across = circle(1);
+  const auto corner = [&](std::size_t i, std::size_t j) {
+    const glm::dvec2 &u = around[i % around.size()], &v = across[j % across.size()];
+    const double reach = torus.ring + torus.tube * v.x;
+    return on_grid(torus.centre +
+                   torus.axes * glm::dvec3(reach * u.x, reach * u.y, torus.tube * v.y));
+  };
+  for (std::size_t i = 0; i < around.size(); ++i) {
+    for (std::size_t j = 0; j < across.size(); ++j) {
+      const glm::dvec3 a = corner(i, j), b = corner(i + 1, j), c = corner(i + 1, j + 1),
+                       d = corner(i, j + 1);
+      scene.add({a, b, c}, material);
+      scene.add({a, c, d}, material);
+    }
+  }
+}
+
+void add_tetrahedron(Scene& scene, const std::array<glm::dvec3, 4>& corners,
+                     std::uint32_t material) {
+  std::array<glm::dvec3, 4> at;
+  for (std::size_t i = 0; i < at.size(); ++i) at[i] = on_grid(corners[i]);
+  if (glm::dot(glm::cross(at[1] - at[0], at[2] - at[0]), at[3] - at[0]) > 0)
+    std::swap(at[1], at[2]);
+  constexpr int kSides[4][3] = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
+  for (const auto& side : kSides) scene.add({at[side[0]], at[side[1]], at[side[2]]}, material);
+}
+
+glm::dmat3 random_rotation(Random& random) {
+  for (;;) {
+    const double w = random.between(-1, 1), x = random.between(-1, 1), y = random.between(-1, 1),
+                 z = random.between(-1, 1);
+    const double length = w * w + x * x + y * y + z * z;
+    if (length > 0.01 && length < 1.0)
+      return glm::mat3_cast(glm::normalize(glm::dquat(w, x, y, z)));
+  }
 }
 
 }  // namespace rc2::scene

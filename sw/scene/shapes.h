@@ -1,8 +1,10 @@
 // Closed meshes in voxel coordinates, outside counter-clockwise, for the generated scenes.
 #pragma once
 
+#include <array>
 #include <glm/mat3x3.hpp>
 
+#include "sw/scene/random.h"
 #include "sw/scene/scene.h"
 
 namespace rc2::scene {
@@ -22,5 +24,25 @@ void add_sphere(Scene& scene, const glm::dvec3& centre, double radius, double ed
                 std::uint32_t material);
 
 constexpr int kMaxSphereLevel = 5;  ///< 20 * 4^5 = 20480 triangles
+
+/// A torus round the third of its axes. `ring` is the radius of the circle that the middle of the
+/// tube follows, `tube` < `ring` the radius of the tube.
+struct Torus {
+  glm::dvec3 centre;
+  double ring, tube;
+  glm::dmat3 axes{1.0};
+};
+
+/// Adds a torus of 24 x 12 quadrangles, each cut into two triangles.
+void add_torus(Scene& scene, const Torus& torus, std::uint32_t material);
+
+/// Adds the four sides of a tetrahedron, whatever the order of its corners. Corners are rounded to
+/// the finest vertex grid; those in one plane give sides of either orientation.
+void add_tetrahedron(Scene& scene, const std::array<glm::dvec3, 4>& corners,
+                     std::uint32_t material);
+
+/// A rotation from all of them, by square roots only: sine and cosine differ between mathematics
+/// libraries.
+glm::dmat3 random_rotation(Random& random);
 
 }  // namespace rc2::scene

@@ -131,7 +131,7 @@ class Lights(HostTest):
     def test_in_an_occupied_voxel(self):
         self.succeed("voxelize", "ball:3", "--n", 8, "--dump", "ball.csv")
         occupied = self.rows("ball.csv")[1]
-        x, y, z, facet = occupied[len(occupied) // 2]
+        x, y, z, facet, *_ = occupied[len(occupied) // 2]
         for machine in ("golden", "cycle"):
             message = self.refuse("run", "ball:3", "--n", 8, "--machine", machine, "--light",
                                   f"{x},{y},{z}",

@@ -23,8 +23,8 @@ class FaultyMachine : public golden::GoldenMachine {
   VoxelMemory read_voxels() override {
     VoxelMemory voxels = GoldenMachine::read_voxels();
     if (fault_ == "voxel") voxels.erase(voxels.begin());
-    if (fault_ == "owner") voxels.front().facet ^= 1U;
-    if (fault_ == "unknown owner") voxels.front().facet = kMaxFacets - 1;
+    if (fault_ == "owner") voxels.front().owner.facet ^= 1U;
+    if (fault_ == "unknown owner") voxels.front().owner.facet = kMaxFacets - 1;
     return voxels;
   }
 

@@ -13,7 +13,7 @@ class Voxelize(HostTest):
                                  "cycle.csv")
             self.succeed("compare", "golden.csv", "cycle.csv")
             header, rows = self.rows("golden.csv")
-            self.assertEqual(header, "x,y,z,facet")
+            self.assertEqual(header, "x,y,z,facet,core,gap")
             self.assertRegex(golden, rf"voxels occupied +{len(rows)}\n")
             self.assertNotIn("cycles", golden)
             self.assertIn("clock cycles", cycle)
@@ -21,7 +21,7 @@ class Voxelize(HostTest):
     def test_the_dump_of_a_run_has_the_same_voxels(self):
         self.succeed("voxelize", "ball:3", "--n", 8, "--dump", "voxels.csv")
         self.succeed("run", "ball:3", "--n", 8, "--dump", "run.csv")
-        self.assertEqual(self.rows("voxels.csv")[1], [row[:4] for row in self.rows("run.csv")[1]])
+        self.assertEqual(self.rows("voxels.csv")[1], [row[:6] for row in self.rows("run.csv")[1]])
 
     def test_it_writes_nothing_unless_told(self):
         self.succeed("voxelize", "ball:3", "--n", 8)
@@ -35,7 +35,7 @@ class Voxelize(HostTest):
 
 
 class Compare(HostTest):
-    left = "x,y,z,facet,light0\n1,0,0,5,7\n2,0,0,5,0\n0,0,1,6,1\n"
+    left = "x,y,z,facet,core,gap,light0\n1,0,0,5,1,0,7\n2,0,0,5,1,0,0\n0,0,1,6,1,0,1\n"
 
     def compare(self, left, right):
         self.write("a.csv", left)
@@ -49,7 +49,7 @@ class Compare(HostTest):
                          "differing 0".split())
 
     def test_every_kind_of_difference(self):
-        right = "x,y,z,facet,light0\n1,0,0,4,7\n2,0,0,5,3\n0,0,2,6,1\n"
+        right = "x,y,z,facet,core,gap,light0\n1,0,0,4,1,0,7\n2,0,0,5,1,0,3\n0,0,2,6,1,0,1\n"
         result = self.compare(self.left, right)
         self.assertEqual(result.returncode, DIFFERENT)
         self.assertEqual(result.stderr, "")
@@ -64,19 +64,20 @@ class Compare(HostTest):
         ])
 
     def test_only_the_first_ten_are_shown(self):
-        rows = "".join(f"{x},0,0,1\n" for x in range(30))
-        result = self.compare("x,y,z,facet\n" + rows, "x,y,z,facet\n")
+        rows = "".join(f"{x},0,0,1,1,0\n" for x in range(30))
+        result = self.compare("x,y,z,facet,core,gap\n" + rows, "x,y,z,facet,core,gap\n")
         self.assertEqual(result.stdout.splitlines()[0], "voxels differing  30")
         self.assertEqual(len(result.stdout.splitlines()), 3 + 10)
 
     def test_a_missing_light_differs(self):
-        result = self.compare(self.left, "x,y,z,facet\n1,0,0,5\n2,0,0,5\n0,0,1,6\n")
+        result = self.compare(self.left, "x,y,z,facet,core,gap\n1,0,0,5,1,0\n2,0,0,5,1,0\n0,0,1,6,1,0\n")
         self.assertEqual(result.returncode, DIFFERENT)
         self.assertIn("lights differing  3", result.stdout)
 
     def test_a_bad_line_is_named(self):
-        for bad in ("", "x,y\n", "x,y,z,facet\n1,2,3\n", "x,y,z,facet\n1,2,3,4,5\n",
-                    "x,y,z,facet\n1,2,3,x\n", "x,y,z,facet\n1,2,3,4\n1,2,3,4\n", "\0" * 50):
+        for bad in ("", "x,y\n", *(f"x,y,z,facet,core,gap\n{row}\n" for row in (
+                        "1,2,3", "1,2,3,4,0,0,5", "1,2,3,x,0,0", "1,2,3,4,0,0\n1,2,3,4,0,0")),
+                    "\0" * 50):
             self.write("good.csv", self.left)
             self.write("bad.csv", bad)
             self.refuse("compare", "good.csv", "bad.csv", says="bad.csv: line ")

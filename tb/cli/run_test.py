@@ -60,14 +60,14 @@ class Run(HostTest):
     def check_dump(self, report, n):
         header, rows = self.rows("dump.csv")
         sources = len(report["sources"])
-        self.assertEqual(header, ",".join(["x,y,z,facet"] + [f"light{k}" for k in range(sources)]))
+        self.assertEqual(header, ",".join(["x,y,z,facet,core,gap"] + [f"light{k}" for k in range(sources)]))
         self.assertEqual(len(rows), report["voxels"])
         places = [(z, y, x) for x, y, z, *_ in rows]
         self.assertEqual(places, sorted(set(places)))
         self.assertTrue(all(0 <= coordinate < n for place in places for coordinate in place))
         self.assertTrue(all(row[3] < report["facets"]["loaded"] for row in rows))
         for k, source in enumerate(report["sources"]):
-            counts = [row[4 + k] for row in rows]
+            counts = [row[6 + k] for row in rows]
             self.assertEqual(sum(counts), source["targets"]["absorbed"])
             self.assertEqual(sum(count > 0 for count in counts), source["lit"])
             self.assertEqual(source["lit"], report["lit"][k])

@@ -53,7 +53,7 @@ Machines& machines_of(int n) {
 bool same(const VoxelMemory& a, const VoxelMemory& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [](const VoxelRecord& l, const VoxelRecord& r) {
-                      return l.at == r.at && l.facet == r.facet;
+                      return l.at == r.at && l.owner.packed() == r.owner.packed();
                     });
 }
 

@@ -1,5 +1,6 @@
 // rc2_facet_stage against its definition: packets of random boxes among READ and DATA words, random
 // stalls at the unit and at the next stage; both see exactly their words, in order, stepped.
+#include <array>
 #include <deque>
 
 #include "sim/host_word.h"
@@ -7,11 +8,12 @@
 
 namespace {
 
-constexpr rc2::MachineConfig kConfig{8, 4, 32, 32};
+// Small enough for a word to fit in 64 bits.
+constexpr rc2::MachineConfig kConfig{8, 1, 32, 32};
+constexpr std::int64_t kStride = 4;
 
-struct Word {
-  bool last;
-  int kind;
+struct Packed {
+  rc2::WordKind kind;
   std::uint64_t lead, rest;
 };
 
@@ -20,12 +22,11 @@ class Stage : public testing::Test {
   const rc2::WordFormat format{kConfig};
   rc2::tb::Clocked<Vtop> stage;
   rc2::tb::Random random{4};
-  std::deque<Word> to_unit, to_next;
+  std::deque<Packed> to_unit, to_next;
 
-  std::uint64_t pack(const Word& word) const {
+  std::uint64_t pack(const Packed& word) const {
     const int payload = format.lead + format.rest;
-    return static_cast<std::uint64_t>(word.last) << (payload + 2) |
-           static_cast<std::uint64_t>(word.kind) << payload | word.lead << format.rest | word.rest;
+    return static_cast<std::uint64_t>(word.kind) << payload | word.lead << format.rest | word.rest;
   }
 
   void tick(bool& taken) {
@@ -34,14 +35,14 @@ class Stage : public testing::Test {
     stage.settle();
     taken = stage.top.ready_o != 0;
     const bool unit = stage.top.unit_valid_o != 0 && stage.top.unit_ready_i != 0;
+    ASSERT_GE(stage.top.unit_waits_o, stage.top.unit_valid_o);
     const bool next = stage.top.next_valid_o != 0 && stage.top.next_ready_i != 0;
     if (unit) {
       ASSERT_FALSE(to_unit.empty());
-      const Word want = to_unit.front();
+      const Packed want = to_unit.front();
       to_unit.pop_front();
-      ASSERT_EQ(stage.top.unit_word_o, static_cast<std::uint64_t>(want.last) << (format.rest + 2) |
-                                           static_cast<std::uint64_t>(want.kind) << format.rest |
-                                           want.rest);
+      ASSERT_EQ(stage.top.unit_word_o,
+                static_cast<std::uint64_t>(want.kind) << format.rest | want.rest);
     }
     if (next) {
       ASSERT_FALSE(to_next.empty());
@@ -51,7 +52,7 @@ class Stage : public testing::Test {
     stage.tick();
   }
 
-  void send(const Word& word) {
+  void send(const Packed& word) {
     stage.top.valid_i = 1;
     stage.top.word_i = pack(word);
     for (bool taken = false; !taken && !HasFatalFailure();) tick(taken);
@@ -64,12 +65,12 @@ class Stage : public testing::Test {
 TEST_F(Stage, WalksPacketsPastItsUnit) {
   for (int packet = 0; packet < 5000 && !HasFatalFailure(); ++packet) {
     if (random.chance(10)) {
-      const Word read{true, 2, 0, random_bits(2)};
+      const Packed read{rc2::WordKind::read, 0, random_bits(2)};
       to_unit.push_back(read);
       to_next.push_back(read);
       send(read);
     } else if (random.chance(10)) {
-      const Word data{random.chance(50), 3, random_bits(format.lead), random_bits(format.rest)};
+      const Packed data{rc2::WordKind::data, random_bits(format.lead), random_bits(format.rest)};
       to_next.push_back(data);
       send(data);
     } else {
@@ -78,28 +79,28 @@ TEST_F(Stage, WalksPacketsPastItsUnit) {
       const bool here = skip == 0;
       const bool on = skip != 0 || take > 1;
       const auto steer = [&](std::uint64_t s, std::uint64_t t) { return t << format.count | s; };
-      Word head{false, 0, steer(skip, take), random_bits(format.rest)};
+      Packed head{rc2::WordKind::head, steer(skip, take), random_bits(format.rest)};
       if (here) to_unit.push_back(head);
       if (on) {
-        Word next = head;
+        Packed next = head;
         next.lead = here ? steer(0, take - 1) : steer(skip - 1, take);
         to_next.push_back(next);
       }
       send(head);
-      const int bounds = static_cast<int>(random.in(1, 5));
-      for (int i = 0; i < bounds; ++i) {
-        const std::int64_t step = random.in(-1000, 1000);
-        const std::int64_t d = random.in(-100000, 100000);
-        const std::uint64_t c = random_bits(format.coefficient) << format.offset;
-        const Word bound{i + 1 == bounds, 1, rc2::tb::bits(step, format.lead),
-                         c | rc2::tb::bits(d, format.offset)};
-        if (here) to_unit.push_back(bound);
+      constexpr std::array kKinds{rc2::WordKind::slab, rc2::WordKind::side, rc2::WordKind::gap};
+      for (const rc2::WordKind kind : kKinds) {
+        const std::int64_t step = random.in(-500, 500);
+        const std::int64_t d = random.in(-6000, 6000);
+        const std::uint64_t above = random_bits(format.rest - format.offset) << format.offset;
+        const Packed value{kind, rc2::tb::bits(step, format.lead),
+                           above | rc2::tb::bits(d, format.offset)};
+        if (here) to_unit.push_back(value);
         if (on) {
-          Word next = bound;
-          if (here) next.rest = c | rc2::tb::bits(d + step, format.offset);
+          Packed next = value;
+          if (here) next.rest = above | rc2::tb::bits(d + kStride * step, format.offset);
           to_next.push_back(next);
         }
-        send(bound);
+        send(value);
       }
     }
   }

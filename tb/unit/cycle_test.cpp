@@ -17,8 +17,10 @@
 namespace rc2::cycle {
 namespace {
 
-using facet::Bound;
+using facet::Linear;
 using facet::PacketStream;
+using facet::Side;
+using facet::Slab;
 using golden::GoldenMachine;
 using Random = std::mt19937;
 using Trace = std::vector<std::vector<std::uint32_t>>;  // the queues of every cycle
@@ -40,28 +42,40 @@ MachineConfig machine_config(int n) {
 }
 
 void add_packet(PacketStream& stream, std::uint32_t number, glm::ivec3 lo, glm::ivec3 hi,
-                const std::vector<Bound>& bounds = {{0, 0, 0, 0}, {0, 0, 0, 0}}) {
-  stream.heads.push_back({number, lo, hi, static_cast<std::uint32_t>(stream.bounds.size()),
-                          static_cast<std::uint32_t>(bounds.size())});
-  stream.bounds.insert(stream.bounds.end(), bounds.begin(), bounds.end());
+                const Slab& slab = {}, const std::vector<Side>& sides = {},
+                const Linear& gap = {}) {
+  stream.heads.push_back({number, lo, hi, slab, gap,
+                          static_cast<std::uint32_t>(stream.sides.size()),
+                          static_cast<std::uint32_t>(sides.size())});
+  stream.sides.insert(stream.sides.end(), sides.begin(), sides.end());
 }
 
-// Boxes cut by bounds of coefficients up to `scale`; the facet numbers do not follow the order.
+// Boxes cut by slabs and sides of coefficients up to `scale`; the facet numbers do not follow the
+// order.
 PacketStream random_boxes(Random& random, int n, int count, std::int64_t scale) {
-  std::uniform_int_distribution<std::int64_t> coefficient(-scale, scale);
+  const auto up_to = [&](std::int64_t largest) {
+    return std::uniform_int_distribution<std::int64_t>(0, largest)(random);
+  };
+  const auto linear = [&](std::int64_t largest) {
+    const auto coefficient = [&] { return up_to(2 * largest) - largest; };
+    Linear value{coefficient(), coefficient(), coefficient(), n * coefficient() / 2};
+    if (pick(random, 0, 3) == 0) value.c = 0;
+    return value;
+  };
+  const std::int64_t side_scale = std::min(scale, std::int64_t{1} << (coordinate_bits(n) + 4));
   std::vector<std::uint32_t> numbers(static_cast<std::size_t>(count));
   std::iota(numbers.begin(), numbers.end(), 0);
   std::shuffle(numbers.begin(), numbers.end(), random);
   PacketStream stream;
   for (const std::uint32_t number : numbers) {
     const glm::ivec3 a = pick_voxel(random, n), b = pick_voxel(random, n);
-    std::vector<Bound> bounds;
-    for (int k = pick(random, 2, 7); k > 0; --k) {
-      bounds.push_back({coefficient(random), coefficient(random), coefficient(random),
-                        n * coefficient(random) / 2});
-      if (pick(random, 0, 3) == 0) bounds.back().c = 0;
+    const Slab slab{linear(scale), up_to(3 * scale)};
+    std::vector<Side> sides;
+    for (int k = pick(random, 0, 5); k > 0; --k) {
+      sides.push_back({linear(side_scale), up_to(side_scale)});
     }
-    add_packet(stream, number, glm::min(a, b), glm::max(a, b), bounds);
+    add_packet(stream, number, glm::min(a, b), glm::max(a, b), slab, sides,
+               linear(std::int64_t{1} << gap_fraction_bits(n)));
   }
   return stream;
 }
@@ -97,7 +111,7 @@ void expect_same_voxels(Machine& machine, Machine& golden) {
   ASSERT_EQ(ours.size(), theirs.size());
   for (std::size_t i = 0; i < ours.size(); ++i) {
     EXPECT_EQ(ours[i].at, theirs[i].at);
-    EXPECT_EQ(ours[i].facet, theirs[i].facet);
+    EXPECT_EQ(ours[i].owner.packed(), theirs[i].owner.packed());
   }
 }
 
@@ -177,12 +191,14 @@ TEST(CycleMachine, RefusesWhatDoesNotFit) {
   // In range where it starts, out of range at the far end of its box.
   const std::int64_t offset = std::int64_t{1} << (offset_bits(4, 4) - 1);
   PacketStream grows, shrinks;
-  add_packet(grows, 0, {0, 0, 0}, {3, 0, 0}, {{1, 0, 0, offset - 4}, {1, 0, 0, offset - 3}});
-  add_packet(shrinks, 0, {0, 0, 0}, {0, 3, 0}, {{0, -1, 0, 3 - offset}, {0, -1, 0, 2 - offset}});
+  add_packet(grows, 0, {0, 0, 0}, {3, 0, 0}, {},
+             {{{1, 0, 0, offset - 4}, 0}, {{1, 0, 0, offset - 3}, 0}});
+  add_packet(shrinks, 0, {0, 0, 0}, {0, 3, 0}, {},
+             {{{0, -1, 0, 3 - offset}, 0}, {{0, -1, 0, 2 - offset}, 0}});
   EXPECT_THROW(machine.load(grows, {}), Error);
   EXPECT_THROW(machine.load(shrinks, {}), Error);
   EXPECT_EQ(machine.read_voxels().size(), 1U);
-  grows.bounds[1].d = shrinks.bounds[1].d = 0;
+  grows.sides[1].value.d = shrinks.sides[1].value.d = 0;
   EXPECT_NO_THROW(machine.load(grows, {}));
   EXPECT_NO_THROW(machine.load(shrinks, {}));
 
@@ -210,45 +226,58 @@ TEST(CycleMachine, ReportsProgress) {
 // ---- Loading
 // --------------------------------------------------------------------------------------
 
-// One packet for the m voxels above z = 1 of one column, whose bounds are c*z >= 0.
-std::int64_t cycles_of_one_column(glm::ivec3 cell, int m, int bounds, std::int64_t c) {
+// One packet for the m voxels above z = 1 of one column, with sides c*z + d >= 0.
+std::int64_t cycles_of_one_column(glm::ivec3 cell, int m, int sides, std::int64_t c,
+                                  std::int64_t d) {
   CycleMachine machine(machine_config(16));
   PacketStream stream;
-  add_packet(stream, 0, {cell.x, cell.y, 1}, {cell.x, cell.y, m},
-             std::vector<Bound>(static_cast<std::size_t>(bounds), {0, 0, c, 0}));
-  const std::int64_t cycles = machine.load(stream, {}).cycles;
-  EXPECT_EQ(machine.read_voxels().size(), static_cast<std::size_t>(m));
-  return cycles;
+  add_packet(stream, 0, {cell.x, cell.y, 1}, {cell.x, cell.y, m}, {},
+             std::vector<Side>(static_cast<std::size_t>(sides), {{0, 0, c, d}, 0}));
+  return machine.load(stream, {}).cycles;
 }
 
-// HEAD spends a cycle in the feeder of its row and one in its cell; the bounds follow; then a cycle
-// for the offer, one per voxel, and one for the last write.
+// HEAD spends a cycle in the feeder of its row and one in its cell; the other words follow; then
+// one cycle per voxel and one for the last write.
 TEST(CycleLoad, TakesTheCyclesOfItsPipe) {
   for (const glm::ivec3 cell : {glm::ivec3(0), {3, 0, 0}, {0, 5, 0}, {15, 15, 0}}) {
     for (const int m : {1, 2, 7, 15}) {
-      for (const int bounds : {2, 5}) {
-        EXPECT_EQ(cycles_of_one_column(cell, m, bounds, 0), 4 + cell.x + cell.y + bounds + m);
+      for (const int sides : {0, 3}) {
+        const int way = 5 + cell.x + cell.y;
+        EXPECT_EQ(cycles_of_one_column(cell, m, sides, 0, 0), way + sides + m);
         // A bound that must be divided waits one cycle more for each bit of the range.
-        EXPECT_EQ(cycles_of_one_column(cell, m, bounds, 3),
-                  4 + cell.x + cell.y + bounds * (1 + bits_for(m)) + m);
+        EXPECT_EQ(cycles_of_one_column(cell, m, sides, 3, 0), way + sides * (1 + bits_for(m)) + m);
+        // The gap at the dexel's low end takes one cycle for each bit of its z.
+        if (sides > 0) {
+          EXPECT_EQ(cycles_of_one_column(cell, m, sides, 1, 1 - m),
+                    way + sides * (1 + bits_for(m)) + bits_for(m) + 1);
+        }
       }
     }
   }
 }
 
-// Packets for different cells overlap in time: the host's port is the limit.
-TEST(CycleLoad, TakesOneWordPerCycle) {
+// Packets for different cells overlap in time: the host's port is the limit, and with more feeders
+// the busiest of them.
+TEST(CycleLoad, TakesOneWordPerFeederAndCycle) {
   const int n = 16;
-  CycleMachine machine(machine_config(n));
   PacketStream stream;
   for (int i = 0; i < 1000; ++i) {
     const glm::ivec3 voxel(i * 7 % n, i * 5 % n, i * 3 % n);
     add_packet(stream, static_cast<std::uint32_t>(i), voxel, voxel);
   }
-  const auto words = static_cast<std::int64_t>(stream.heads.size() + stream.bounds.size());
-  const std::int64_t cycles = machine.load(stream, {}).cycles;
-  EXPECT_GE(cycles, words);
-  EXPECT_LE(cycles, words + std::int64_t{2} * n + 5);
+  for (const int feeders : {1, 2, 8, 16}) {
+    MachineConfig config = machine_config(n);
+    config.feeders = feeders;
+    std::int64_t busiest = 0;
+    for (int k = 0; k < feeders; ++k) {
+      const auto mine = std::count_if(stream.heads.begin(), stream.heads.end(),
+                                      [&](const auto& head) { return head.lo.y % feeders == k; });
+      busiest = std::max<std::int64_t>(busiest, 3 * mine);
+    }
+    const std::int64_t cycles = CycleMachine(config).load(stream, {}).cycles;
+    EXPECT_GE(cycles, busiest);
+    EXPECT_LE(cycles, busiest + std::int64_t{2} * n + 8);
+  }
 }
 
 TEST(CycleLoad, CostsNothingWithoutPackets) {
@@ -256,7 +285,7 @@ TEST(CycleLoad, CostsNothingWithoutPackets) {
   EXPECT_EQ(machine.load({}, {}).cycles, 0);
 }
 
-TEST(CycleColumns, KeepTheLowestOwnerAndEveryTarget) {
+TEST(CycleColumns, KeepTheBestClaimAndEveryTarget) {
   Random random(4);
   const int n = 130;
   Columns columns(n);
@@ -264,10 +293,11 @@ TEST(CycleColumns, KeepTheLowestOwnerAndEveryTarget) {
   const std::size_t column = 17;
   for (int i = 0; i < 300; ++i) {
     const int z = pick(random, 0, n - 1);
-    const auto facet = static_cast<std::uint32_t>(pick(random, 0, 1000));
-    columns.fill(column, z, facet);
-    const auto [voxel, first] = expected.try_emplace(z, facet, 0);
-    if (!first) voxel->second.first = std::min(voxel->second.first, facet);
+    const Claim claim{static_cast<std::uint32_t>(pick(random, 0, 1000)), pick(random, 0, 1) == 0,
+                      pick(random, -3, 3)};
+    columns.fill(column, z, claim);
+    const auto [voxel, first] = expected.try_emplace(z, claim.packed(), 0);
+    if (!first) voxel->second.first = std::min(voxel->second.first, claim.packed());
   }
   for (auto& [z, voxel] : expected) {
     for (int k = pick(random, 0, 3); k > 0; --k) {
@@ -282,7 +312,7 @@ TEST(CycleColumns, KeepTheLowestOwnerAndEveryTarget) {
     EXPECT_FALSE(columns.occupied(column - 1, z));
     EXPECT_FALSE(columns.occupied(column + 1, z));
     if (voxel == expected.end()) continue;
-    EXPECT_EQ(columns.owner(column, z), voxel->second.first);
+    EXPECT_EQ(columns.owner(column, z).packed(), voxel->second.first);
     EXPECT_EQ(columns.arrived(column, z), voxel->second.second);
   }
 }
@@ -460,7 +490,7 @@ TEST(CycleLight, DoesNotDependOnTheOrderOfCells) {
     Columns columns(n);
     for (int i = 0; i < n * n * n / 10; ++i) {
       const glm::ivec3 at = pick_voxel(random, n);
-      if (at != job.source) columns.fill(cell_number(at.x, at.y, n), at.z, 0);
+      if (at != job.source) columns.fill(cell_number(at.x, at.y, n), at.z, {});
     }
     const Trace shuffled = run_in_any_order(random, n, columns, job);
     Trace trace;

@@ -234,18 +234,27 @@ bool fits(std::int64_t value, int bits) {
 }
 
 void expect_narrow(const PacketStream& stream, const Cube& cube) {
+  const int n = cube.n, f = cube.fraction_bits;
   for (const PacketHead& head : stream.heads) {
     const glm::ivec3 size = head.hi - head.lo;
-    for (std::uint32_t k = 0; k < head.bound_count; ++k) {
-      const Bound& bound = stream.bounds[head.first_bound + k];
-      for (const std::int64_t c : {bound.a, bound.b, bound.c})
-        ASSERT_TRUE(fits(c, coefficient_bits(cube.n, cube.fraction_bits))) << c;
+    const auto expect_fits = [&](const Linear& value, int bits) {
+      for (const std::int64_t c : {value.a, value.b, value.c}) ASSERT_TRUE(fits(c, bits)) << c;
       for (int corner = 0; corner < 8; ++corner) {
-        const std::int64_t value = bound.d + (corner & 1 ? bound.a * size.x : 0) +
-                                   (corner & 2 ? bound.b * size.y : 0) +
-                                   (corner & 4 ? bound.c * size.z : 0);
-        ASSERT_TRUE(fits(value, offset_bits(cube.n, cube.fraction_bits))) << value;
+        const glm::ivec3 at(corner & 1 ? size.x : 0, corner & 2 ? size.y : 0,
+                            corner & 4 ? size.z : 0);
+        ASSERT_TRUE(fits(value_at(value, at), offset_bits(n, f))) << value_at(value, at);
       }
+    };
+    expect_fits(head.slab.value, plane_bits(n, f));
+    ASSERT_GE(head.slab.width, 0);
+    ASSERT_EQ(head.slab.width >> plane_bits(n, f), 0) << head.slab.width;
+    for (const std::int64_t c : {head.gap.a, head.gap.b, head.gap.c})
+      ASSERT_TRUE(fits(c, gap_value_bits(n))) << c;
+    for (std::uint32_t k = 0; k < head.side_count; ++k) {
+      const Side& side = stream.sides[head.first_side + k];
+      expect_fits(side.value, side_bits(n, f));
+      ASSERT_GE(side.push, 0);
+      ASSERT_EQ(side.push >> push_bits(n, f), 0) << side.push;
     }
   }
 }
@@ -270,7 +279,7 @@ TEST_P(EveryRule, FitsTheWidthsOfTheMachine) {
 INSTANTIATE_TEST_SUITE_P(Rules, EveryRule, testing::ValuesIn(kRules),
                          [](const auto& rule) { return std::string(to_string(rule.param)); });
 
-TEST(BuildFacets, WritesTheSlabFirst) {
+TEST(BuildFacets, WritesASlabAndASideForEachEdge) {
   // z = 1 with half a voxel on each side; the upper end is not included.
   const Cube cube{8, 1};
   const FacetSet set =
@@ -279,13 +288,10 @@ TEST(BuildFacets, WritesTheSlabFirst) {
   const PacketHead& head = set.packets.heads[0];
   EXPECT_EQ(head.lo, glm::ivec3(2, 2, 1));
   EXPECT_EQ(head.hi, glm::ivec3(4, 4, 1));
-  EXPECT_EQ(head.bound_count, 6U);
-  const Bound& upper = set.packets.bounds[0];
-  const Bound& lower = set.packets.bounds[1];
-  EXPECT_LT(upper.c, 0);
-  EXPECT_EQ(upper.c, -lower.c);
-  EXPECT_GE(upper.d, 0);
-  EXPECT_GE(lower.d, 0);
+  EXPECT_EQ(head.side_count, 4U);
+  EXPECT_GT(head.slab.value.c, 0);
+  EXPECT_GE(head.slab.value.d, 0);
+  EXPECT_LE(head.slab.value.d, head.slab.width);
   EXPECT_EQ(set.facets[0].normal, glm::vec3(0, 0, 1));
 }
 
@@ -352,7 +358,7 @@ TEST(BuildFacets, CountsWhatItDrops) {
   ASSERT_EQ(set.facets.size(), 2U);
   EXPECT_EQ(set.facets[1].material, 1U);
   EXPECT_EQ(set.packets.heads[1].facet, 1U);
-  EXPECT_EQ(set.packets.heads[1].bound_count, 5U) << "repeated and collinear vertices are no sides";
+  EXPECT_EQ(set.packets.heads[1].side_count, 3U) << "repeated and collinear vertices are no sides";
 }
 
 std::string error_of(const std::vector<glm::dvec3>& corners) {
@@ -523,7 +529,7 @@ TEST(Generated, DefaultSceneKeepsItsPolygons) {
   EXPECT_EQ(set.counts.triangulated, 0);
   EXPECT_EQ(set.counts.loaded, static_cast<std::int64_t>(scene.polygon_count()));
   std::size_t many_sided = 0;
-  for (const PacketHead& head : set.packets.heads) many_sided += head.bound_count >= 2 + 6;
+  for (const PacketHead& head : set.packets.heads) many_sided += head.side_count >= 6;
   EXPECT_GE(many_sided, 6U);
 }
 

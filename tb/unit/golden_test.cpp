@@ -16,8 +16,10 @@ namespace {
 
 using boost::multiprecision::cpp_int;
 using Rational = boost::rational<std::int64_t>;
-using facet::Bound;
+using facet::Linear;
 using facet::PacketStream;
+using facet::Side;
+using facet::Slab;
 using Voxel = std::tuple<int, int, int>;
 
 Voxel key(glm::ivec3 at) { return {at.x, at.y, at.z}; }
@@ -30,10 +32,12 @@ MachineConfig machine_config(int n, int max_distance = 64) {
 }
 
 void add_packet(PacketStream& stream, std::uint32_t number, glm::ivec3 lo, glm::ivec3 hi,
-                std::vector<Bound> bounds = {{0, 0, 0, 0}, {0, 0, 0, 0}}) {
-  stream.heads.push_back({number, lo, hi, static_cast<std::uint32_t>(stream.bounds.size()),
-                          static_cast<std::uint32_t>(bounds.size())});
-  stream.bounds.insert(stream.bounds.end(), bounds.begin(), bounds.end());
+                const Slab& slab = {}, const std::vector<Side>& sides = {},
+                const Linear& gap = {}) {
+  stream.heads.push_back({number, lo, hi, slab, gap,
+                          static_cast<std::uint32_t>(stream.sides.size()),
+                          static_cast<std::uint32_t>(sides.size())});
+  stream.sides.insert(stream.sides.end(), sides.begin(), sides.end());
 }
 
 using Random = std::mt19937;
@@ -48,41 +52,71 @@ glm::ivec3 pick_voxel(Random& random, int n) {
 
 // Boxes cut by a slab and a few sides; `scale` is the size of the coefficients.
 PacketStream random_packets(Random& random, int n, int count, std::int64_t scale) {
-  std::uniform_int_distribution<std::int64_t> coefficient(-scale, scale);
+  const auto linear = [&](std::int64_t largest) {
+    std::uniform_int_distribution<std::int64_t> coefficient(-largest, largest);
+    Linear value{coefficient(random), coefficient(random), coefficient(random),
+                 n * coefficient(random) / 2};
+    if (pick(random, 0, 3) == 0) value.c = 0;
+    return value;
+  };
+  const std::int64_t side_scale = std::min(scale, std::int64_t{1} << (coordinate_bits(n) + 4));
   PacketStream stream;
   for (int i = 0; i < count; ++i) {
     const glm::ivec3 a = pick_voxel(random, n), b = pick_voxel(random, n);
-    std::vector<Bound> bounds;
-    for (int k = pick(random, 2, 6); k > 0; --k) {
-      Bound bound{coefficient(random), coefficient(random), coefficient(random),
-                  n * coefficient(random) / 2};
-      if (pick(random, 0, 3) == 0) bound.c = 0;
-      bounds.push_back(bound);
-    }
-    add_packet(stream, static_cast<std::uint32_t>(i), glm::min(a, b), glm::max(a, b), bounds);
+    const Slab slab{linear(scale),
+                    std::uniform_int_distribution<std::int64_t>(0, 3 * scale)(random)};
+    std::vector<Side> sides;
+    for (int k = pick(random, 0, 4); k > 0; --k)
+      sides.push_back(
+          {linear(side_scale), std::uniform_int_distribution<std::int64_t>(0, side_scale)(random)});
+    const std::int64_t steepest = std::int64_t{1} << gap_fraction_bits(n);
+    add_packet(stream, static_cast<std::uint32_t>(i), glm::min(a, b), glm::max(a, b), slab, sides,
+               linear(pick(random, 0, 2) == 0 ? 3 : steepest));
   }
   return stream;
 }
 
+// Core first, then the nearest plane, then the lowest number. Gaps of the same size in front of and
+// behind a plane are -1 and 0, -2 and 1, ...
+using Rank = std::tuple<bool, int, std::uint32_t>;
+Rank rank(const Claim& claim) {
+  return {!claim.core, std::max(claim.gap, -1 - claim.gap), claim.facet};
+}
+
+// Sixteenths, rounded down, of which only what lies within two voxels is kept.
+int brute_force_gap(const cpp_int& value, int n) {
+  const cpp_int unit = cpp_int(1) << (coordinate_bits(n) + 2);
+  cpp_int sixteenths = value / unit;
+  if (sixteenths * unit > value) --sixteenths;
+  while (sixteenths >= 32) sixteenths -= 64;
+  while (sixteenths < -32) sixteenths += 64;
+  return static_cast<int>(sixteenths);
+}
+
+using Owners = std::map<Voxel, Claim>;
+
 // Every voxel against every bound of every packet, in unlimited integers.
-std::map<Voxel, std::uint32_t> brute_force_owners(const PacketStream& stream, int n) {
-  std::map<Voxel, std::uint32_t> owners;
+Owners brute_force_owners(const PacketStream& stream, int n) {
+  Owners owners;
   for (const auto& head : stream.heads) {
-    for (int x = 0; x < n; ++x) {
-      for (int y = 0; y < n; ++y) {
-        for (int z = 0; z < n; ++z) {
-          bool in = x >= head.lo.x && x <= head.hi.x && y >= head.lo.y && y <= head.hi.y &&
-                    z >= head.lo.z && z <= head.hi.z;
-          for (std::uint32_t i = 0; in && i < head.bound_count; ++i) {
-            const Bound& bound = stream.bounds[head.first_bound + i];
-            const cpp_int value = cpp_int(bound.a) * (x - head.lo.x) +
-                                  cpp_int(bound.b) * (y - head.lo.y) +
-                                  cpp_int(bound.c) * (z - head.lo.z) + bound.d;
-            in = value >= 0;
+    for (int x = head.lo.x; x <= head.hi.x; ++x) {
+      for (int y = head.lo.y; y <= head.hi.y; ++y) {
+        for (int z = head.lo.z; z <= head.hi.z; ++z) {
+          const auto value = [&](const Linear& of) -> cpp_int {
+            return cpp_int(of.a) * (x - head.lo.x) + cpp_int(of.b) * (y - head.lo.y) +
+                   cpp_int(of.c) * (z - head.lo.z) + of.d;
+          };
+          const cpp_int height = value(head.slab.value);
+          bool in = height >= 0 && height <= head.slab.width, core = true;
+          for (std::uint32_t i = 0; i < head.side_count; ++i) {
+            const Side& side = stream.sides[head.first_side + i];
+            in = in && value(side.value) >= 0;
+            core = core && value(side.value) >= side.push;
           }
           if (!in) continue;
-          const auto [owner, first] = owners.try_emplace({x, y, z}, head.facet);
-          if (!first) owner->second = std::min(owner->second, head.facet);
+          const Claim claim{head.facet, core, brute_force_gap(value(head.gap), n)};
+          const auto [owner, first] = owners.try_emplace({x, y, z}, claim);
+          if (!first && rank(claim) < rank(owner->second)) owner->second = claim;
         }
       }
     }
@@ -90,10 +124,16 @@ std::map<Voxel, std::uint32_t> brute_force_owners(const PacketStream& stream, in
   return owners;
 }
 
-std::map<Voxel, std::uint32_t> owners_of(GoldenMachine& machine) {
-  std::map<Voxel, std::uint32_t> owners;
-  for (const VoxelRecord& voxel : machine.read_voxels()) owners[key(voxel.at)] = voxel.facet;
-  return owners;
+void expect_owners(GoldenMachine& machine, const Owners& expected) {
+  const VoxelMemory voxels = machine.read_voxels();
+  ASSERT_EQ(voxels.size(), expected.size());
+  for (const VoxelRecord& voxel : voxels) {
+    const auto found = expected.find(key(voxel.at));
+    ASSERT_NE(found, expected.end());
+    EXPECT_EQ(voxel.owner.facet, found->second.facet);
+    EXPECT_EQ(voxel.owner.core, found->second.core);
+    EXPECT_EQ(voxel.owner.gap, found->second.gap);
+  }
 }
 
 TEST(GoldenLoad, FillsWhatEveryBoundAllows) {
@@ -106,7 +146,8 @@ TEST(GoldenLoad, FillsWhatEveryBoundAllows) {
     const PacketStream stream = random_packets(random, n, pick(random, 1, 12), scale);
     GoldenMachine machine(machine_config(n));
     machine.load(stream, {});
-    EXPECT_EQ(owners_of(machine), brute_force_owners(stream, n)) << "round " << round;
+    SCOPED_TRACE(testing::Message() << "round " << round);
+    expect_owners(machine, brute_force_owners(stream, n));
     filled += machine.read_voxels().size();
   }
   EXPECT_GT(filled, 10000U);
@@ -129,11 +170,12 @@ TEST(GoldenLoad, OwnerDoesNotDependOnTheOrderOfPackets) {
   PacketStream stream = random_packets(random, 10, 20, 4);
   GoldenMachine machine(machine_config(10));
   machine.load(stream, {});
-  const auto owners = owners_of(machine);
+  const Owners owners = brute_force_owners(stream, 10);
+  expect_owners(machine, owners);
   for (int round = 0; round < 10; ++round) {
     std::shuffle(stream.heads.begin(), stream.heads.end(), random);
     machine.load(stream, {});
-    EXPECT_EQ(owners_of(machine), owners);
+    expect_owners(machine, owners);
   }
 }
 
@@ -154,18 +196,34 @@ TEST(GoldenLoad, RefusesPacketsThatDoNotFit) {
   const auto refused = [&](const PacketStream& stream) {
     EXPECT_THROW(machine.load(stream, {}), Error);
   };
-  const std::int64_t coefficient = std::int64_t{1} << (coefficient_bits(8, 4) - 1);
+  const std::int64_t coefficient = std::int64_t{1} << (plane_bits(8, 4) - 1);
   const std::int64_t offset = std::int64_t{1} << (offset_bits(8, 4) - 1);
-  const std::vector<std::vector<Bound>> bad_bounds = {
-      {{0, 0, 0, 0}},
-      {{coefficient, 0, 0, 0}, {0, 0, 0, 0}},
-      {{0, 0, 0, 0}, {0, -coefficient - 1, 0, 0}},
-      {{0, 0, coefficient, 0}, {0, 0, 0, 0}},
-      {{0, 0, 0, offset}, {0, 0, 0, 0}},
-      {{0, 0, 0, std::numeric_limits<std::int64_t>::min()}, {0, 0, 0, 0}}};
-  for (const auto& bounds : bad_bounds) {
+  const std::int64_t edge = std::int64_t{1} << (side_bits(8, 4) - 1);
+  const std::int64_t lowest = std::numeric_limits<std::int64_t>::min();
+  const std::int64_t flat = std::int64_t{1} << (gap_value_bits(8) - 1);
+  const std::vector<Slab> bad_slabs = {
+      {{coefficient, 0, 0, 0}, 0},    {{0, -coefficient - 1, 0, 0}, 0}, {{0, 0, coefficient, 0}, 0},
+      {{0, 0, 0, offset}, 0},         {{0, 0, 0, lowest}, 0},           {{0, 0, 0, 0}, -1},
+      {{0, 0, 0, 0}, 2 * coefficient}};
+  const std::vector<Side> bad_sides = {{{edge, 0, 0, 0}, 0},
+                                       {{0, 0, -edge - 1, 0}, 0},
+                                       {{0, 0, 0, -offset - 1}, 0},
+                                       {{0, 0, 0, 0}, -1},
+                                       {{0, 0, 0, 0}, std::int64_t{1} << push_bits(8, 4)}};
+  const std::vector<Linear> bad_gaps = {{flat, 0, 0, 0}, {0, 0, -flat - 1, 0}, {0, 0, 0, lowest}};
+  for (const Slab& slab : bad_slabs) {
     PacketStream stream;
-    add_packet(stream, 0, {0, 0, 0}, {1, 1, 1}, bounds);
+    add_packet(stream, 0, {0, 0, 0}, {1, 1, 1}, slab);
+    refused(stream);
+  }
+  for (const Side& side : bad_sides) {
+    PacketStream stream;
+    add_packet(stream, 0, {0, 0, 0}, {1, 1, 1}, {}, {side});
+    refused(stream);
+  }
+  for (const Linear& gap : bad_gaps) {
+    PacketStream stream;
+    add_packet(stream, 0, {0, 0, 0}, {1, 1, 1}, {}, {}, gap);
     refused(stream);
   }
   const std::vector<std::pair<glm::ivec3, glm::ivec3>> bad_boxes = {
@@ -175,12 +233,12 @@ TEST(GoldenLoad, RefusesPacketsThatDoNotFit) {
     add_packet(stream, 0, lo, hi);
     refused(stream);
   }
-  PacketStream high_number, short_bounds;
+  PacketStream high_number, missing_side;
   add_packet(high_number, kMaxFacets, {0, 0, 0}, {1, 1, 1});
   refused(high_number);
-  add_packet(short_bounds, 0, {0, 0, 0}, {1, 1, 1});
-  short_bounds.bounds.pop_back();
-  refused(short_bounds);
+  add_packet(missing_side, 0, {0, 0, 0}, {1, 1, 1}, {}, {Side{}});
+  missing_side.sides.pop_back();
+  refused(missing_side);
 }
 
 // The integer nearest to r, ties downwards, by cases on the two neighbours of r.

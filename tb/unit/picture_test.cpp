@@ -44,7 +44,7 @@ constexpr glm::vec3 kUp(0, 0, 1);
 // One voxel of facet 0 in the middle of a 5-cube; the tests change what they are about.
 struct Subject {
   int n = 5;
-  VoxelMemory voxels{{{2, 2, 2}, 0}};
+  VoxelMemory voxels{{{2, 2, 2}, {0}}};
   std::vector<Lamp> lamps;
   std::vector<facet::FacetInfo> facets{{kUp, 0}};
   std::vector<scene::Material> materials = std::vector<scene::Material>(1);
@@ -224,7 +224,7 @@ TEST(Beside, KeepsBothPicturesWhole) {
 TEST(Render, ShowsTheForemostVoxelOfEachColumn) {
   Subject subject;
   subject.n = 4;
-  subject.voxels = {{{1, 3, 0}, 0}, {{2, 3, 1}, 1}, {{1, 3, 2}, 1}};
+  subject.voxels = {{{1, 3, 0}, {0}}, {{2, 3, 1}, {1}}, {{1, 3, 2}, {1}}};
   subject.facets = {{kUp, 0}, {{1, 0, 0}, 1}};
   subject.materials.resize(2);
   subject.lamps = {{{0, 0, 0}, glm::vec3(1), {5, 6, 7}}, {{0, 0, 0}, glm::vec3(1), {0, 9, 1}}};
@@ -321,7 +321,7 @@ TEST(Render, HighlightIsWhereTheHalfVectorIsTheNormal) {
 TEST(Render, LooksTheSameAtEverySize) {
   Subject small = lit_from({3, 1, 4}), large;
   large.n = 50;
-  large.voxels = {{{20, 20, 20}, 0}};
+  large.voxels = {{{20, 20, 20}, {0}}};
   large.lamps = {{{30, 10, 40}, glm::vec3(1), {1}}};
   const Image image = large.image();
   EXPECT_NEAR(image.colour[image.pixel(20, 20)].r, small.colour().r, 1e-6);
@@ -332,7 +332,7 @@ TEST(Render, RefusesWhatDoesNotBelongTogether) {
   other_light.lamps[0].arrived.push_back(1);
   EXPECT_THROW(other_light.image(), Error);
   Subject other_facets;
-  other_facets.voxels[0].facet = 1;
+  other_facets.voxels[0].owner.facet = 1;
   EXPECT_THROW(other_facets.image(), Error);
   Subject other_materials;
   other_materials.materials.clear();

@@ -24,12 +24,17 @@ using Voxel = std::tuple<int, int, int>;  // z, y, x
 using Row = std::vector<std::uint32_t>;   // facet, light0, light1, ...
 using Rows = std::map<Voxel, Row>;
 
+// Core and gap follow from the number, so that they differ only where it does.
+Claim claim_of(std::uint32_t facet) {
+  return {facet, facet % 2 == 1, static_cast<int>(facet * 29 % 64) - 32};
+}
+
 Memories memories_of(const Rows& rows, std::size_t lights) {
   Memories memories;
   memories.lights.resize(lights);
   for (const auto& [key, row] : rows) {
     const auto [z, y, x] = key;
-    memories.voxels.push_back({{x, y, z}, row.at(0)});
+    memories.voxels.push_back({{x, y, z}, claim_of(row.at(0))});
     for (std::size_t k = 0; k < lights; ++k) memories.lights[k].push_back(row.at(k + 1));
   }
   return memories;
@@ -77,10 +82,10 @@ class Csv : public testing::Test {
 };
 
 TEST_F(Csv, HasTheHeaderAndTheRowsOfItsDefinition) {
-  const Rows rows = {{{2, 1, 0}, {7, 5, 0}}, {{0, 3, 1}, {9, 4294967295, 1}}};
+  const Rows rows = {{{2, 1, 0}, {8, 5, 0}}, {{0, 3, 1}, {9, 4294967295, 1}}};
   EXPECT_EQ(to_csv(memories_of(rows, 2)),
-            "x,y,z,facet,light0,light1\n1,3,0,9,4294967295,1\n0,1,2,7,5,0\n");
-  EXPECT_EQ(to_csv({}), "x,y,z,facet\n");
+            "x,y,z,facet,core,gap,light0,light1\n1,3,0,9,1,-27,4294967295,1\n0,1,2,8,0,8,5,0\n");
+  EXPECT_EQ(to_csv({}), "x,y,z,facet,core,gap\n");
 }
 
 TEST_F(Csv, ReadsBackWhatWasWritten) {
@@ -93,35 +98,38 @@ TEST_F(Csv, ReadsBackWhatWasWritten) {
     ASSERT_EQ(read_back.voxels.size(), wrote.voxels.size());
     for (std::size_t i = 0; i < wrote.voxels.size(); ++i) {
       EXPECT_EQ(read_back.voxels[i].at, wrote.voxels[i].at);
-      EXPECT_EQ(read_back.voxels[i].facet, wrote.voxels[i].facet);
+      EXPECT_EQ(read_back.voxels[i].owner.packed(), wrote.voxels[i].owner.packed());
     }
   }
 }
 
 TEST_F(Csv, NamesFileAndLineOfWhatItCannotRead) {
-  const std::string good = "x,y,z,facet,light0\n1,2,3,4,5\n";
+  const std::string good = "x,y,z,facet,core,gap,light0\n1,2,3,4,0,0,5\n";
   ASSERT_EQ(complaint(good), "accepted");
   const std::vector<std::pair<std::string, int>> bad = {
       {"", 1},
       {"\n", 1},
       {"x,y,z\n", 1},
-      {"x,y,z,facet,light1\n", 1},
-      {"1,2,3,4\n", 1},
+      {"x,y,z,facet,core,gap,light1\n", 1},
+      {"1,2,3,4,0,0\n", 1},
       {good + "\n", 3},
-      {good + "2,2,3,4\n", 3},
-      {good + "2,2,3,4,5,6\n", 3},
-      {good + "2,2,3,4,\n", 3},
-      {good + "2,2,3,4,5 \n", 3},
-      {good + "2,2,3,4,five\n", 3},
-      {good + "2,2,3,4,-5\n", 3},
-      {good + "2,2,3,4,4294967296\n", 3},
-      {good + "2,2,3,1048576,5\n", 3},
-      {good + "1024,2,3,4,5\n", 3},
-      {good + "1,2,3,4,5\n", 3},
-      {good + "0,2,3,4,5\n", 3},
-      {good + "9,1,3,4,5\n", 3},
-      {good + "9,9,2,4,5\n", 3},
-      {good + "2,2,3,4,5\n0,0,0,0,0\n", 4},
+      {good + "2,2,3,4,0,0\n", 3},
+      {good + "2,2,3,4,0,0,5,6\n", 3},
+      {good + "2,2,3,4,0,0,\n", 3},
+      {good + "2,2,3,4,0,0,5 \n", 3},
+      {good + "2,2,3,4,0,0,five\n", 3},
+      {good + "2,2,3,4,0,0,-5\n", 3},
+      {good + "2,2,3,4,0,0,4294967296\n", 3},
+      {good + "2,2,3,4,2,0,5\n", 3},
+      {good + "2,2,3,4,0,32,5\n", 3},
+      {good + "2,2,3,4,0,-33,5\n", 3},
+      {good + "2,2,3,1048576,0,0,5\n", 3},
+      {good + "1024,2,3,4,0,0,5\n", 3},
+      {good + "1,2,3,4,0,0,5\n", 3},
+      {good + "0,2,3,4,0,0,5\n", 3},
+      {good + "9,1,3,4,0,0,5\n", 3},
+      {good + "9,9,2,4,0,0,5\n", 3},
+      {good + "2,2,3,4,1,-32,5\n0,0,0,0,0,0,0\n", 4},
   };
   for (const auto& [text, line] : bad) {
     const std::string message = complaint(text);
@@ -133,6 +141,18 @@ TEST_F(Csv, NamesFileAndLineOfWhatItCannotRead) {
   std::filesystem::remove(path_);
   EXPECT_THROW(read_csv(path_), Error);
   EXPECT_THROW(read_csv(std::filesystem::temp_directory_path().string()), Error);
+}
+
+TEST(Compare, FindsOwnersThatDifferInTheirClaimOnly) {
+  const Memories all = memories_of({{{0, 0, 0}, {3}}, {{0, 0, 1}, {3}}, {{0, 0, 2}, {3}}}, 0);
+  Memories other = all;
+  other.voxels[0].owner.core = !other.voxels[0].owner.core;
+  other.voxels[2].owner.gap = 31;
+  const Comparison comparison = compare(all, other);
+  EXPECT_EQ(comparison.owners_differing, 2);
+  ASSERT_EQ(comparison.first.size(), 2U);
+  EXPECT_EQ(to_string(comparison.first[0]), "voxel (0,0,0), core: expected 1, got 0");
+  EXPECT_EQ(to_string(comparison.first[1]), "voxel (2,0,0), gap: expected -9, got 31");
 }
 
 TEST(Compare, CountsLikeASearchInTwoMaps) {
@@ -207,7 +227,7 @@ class Laws : public testing::Test {
     }
   }
 
-  VoxelMemory voxels_ = {{{3, 0, 0}, 9}, {{0, 1, 0}, 0}, {{0, 0, 2}, 4}};
+  VoxelMemory voxels_ = {{{3, 0, 0}, {9}}, {{0, 1, 0}, {0}}, {{0, 0, 2}, {4}}};
   LightJob job_{{1, 1, 1}, 2, 4};
   LightMemory counts_ = {10, 0, 5};
   LightResult result_{0, 0, 0, 0, 0, {98, 15, 80, 3}};  // 24 * 2^2 + 2 targets
@@ -227,7 +247,7 @@ TEST_F(Laws, FindAVoxelOutsideTheCube) {
 }
 
 TEST_F(Laws, FindAFacetThatWasNeverLoaded) {
-  voxels_.back().facet = 10;
+  voxels_.back().owner.facet = 10;
   EXPECT_FALSE(voxels_hold());
 }
 

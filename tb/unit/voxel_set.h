@@ -1,4 +1,4 @@
-// Packets as sets of voxels, by looking at every bound of every voxel of every box.
+// Packets as sets of voxels, by looking at every voxel of every box.
 #pragma once
 
 #include <vector>
@@ -7,14 +7,18 @@
 
 namespace rc2::facet {
 
+inline std::int64_t value_at(const Linear& value, const glm::ivec3& at) {
+  return value.a * at.x + value.b * at.y + value.c * at.z + value.d;
+}
+
 inline bool is_inside(const PacketStream& stream, const PacketHead& head, const glm::ivec3& p) {
   for (int axis = 0; axis < 3; ++axis)
     if (p[axis] < head.lo[axis] || p[axis] > head.hi[axis]) return false;
   const glm::ivec3 at = p - head.lo;
-  for (std::uint32_t i = 0; i < head.bound_count; ++i) {
-    const Bound& bound = stream.bounds[head.first_bound + i];
-    if (bound.a * at.x + bound.b * at.y + bound.c * at.z + bound.d < 0) return false;
-  }
+  const std::int64_t height = value_at(head.slab.value, at);
+  if (height < 0 || height > head.slab.width) return false;
+  for (std::uint32_t i = 0; i < head.side_count; ++i)
+    if (value_at(stream.sides[head.first_side + i].value, at) < 0) return false;
   return true;
 }
 
