@@ -159,7 +159,7 @@ module rc2_array (
         assign before_valid = f[y-R].next_valid;
         assign before_word = f[y-R].next_word;
       end
-      // Nothing goes beyond the last row of a pipe but READ words, which end there.
+      // Nothing goes beyond the last row of a pipe but READ and END words, which end there.
       if (y + R <= N) begin : inner
         assign after_ready = f[y+R].ready;
       end else begin : last

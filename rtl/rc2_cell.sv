@@ -93,7 +93,8 @@ module rc2_cell (
       .busy_o      (stage_busy)
   );
 
-  logic is_read, dexel_ready, fill_ready, fill_busy;
+  logic is_read, is_end, dexel_ready, fill_ready, fill_busy;
+  logic [rc2_pkg::LayerW-1:0] dexel_layer;
   logic [CoordW-1:0] dexel_z0, core_lo, core_hi;
   /*verilator tracing_on*/
   logic dexel_valid;
@@ -101,16 +102,18 @@ module rc2_cell (
   logic [CoordW-1:0] dexel_lo, dexel_hi;
   /*verilator tracing_off*/
   assign is_read = (unit_kind == rc2_pkg::KindRead);
+  assign is_end = (unit_kind == rc2_pkg::KindEnd);
   rc2_dexel u_dexel (
       .clk_i    (clk_i),
       .rst_ni   (rst_ni),
-      .valid_i  (unit_waits && !is_read),
+      .valid_i  (unit_waits && !is_read && !is_end),
       .kind_i   (unit_kind),
       .rest_i   (unit_rest),
       .ready_o  (dexel_ready),
-      .take_i   (unit_valid && !is_read && dexel_ready),
+      .take_i   (unit_valid && !is_read && !is_end && dexel_ready),
       .valid_o  (dexel_valid),
       .facet_o  (dexel_facet),
+      .layer_o  (dexel_layer),
       .z0_o     (dexel_z0),
       .lo_o     (dexel_lo),
       .hi_o     (dexel_hi),
@@ -122,11 +125,15 @@ module rc2_cell (
   logic fill;
   logic [CoordW-1:0] fill_z, owner_addr;
   rc2_pkg::claim_t fill_owner, owner;
+  logic show, flip, thin;
+  logic [rc2_pkg::FacingW-1:0] fill_facing, facing;
   rc2_fill u_fill (
       .clk_i        (clk_i),
       .rst_ni       (rst_ni),
       .valid_i      (dexel_valid && unit_valid),
       .facet_i      (dexel_facet),
+      .layer_i      (dexel_layer),
+      .facing_i     (unit_rest[rc2_pkg::DistW+rc2_pkg::GapValueW+:rc2_pkg::FacingW]),
       .z0_i         (dexel_z0),
       .lo_i         (dexel_lo),
       .hi_i         (dexel_hi),
@@ -138,7 +145,12 @@ module rc2_cell (
       .occupied_i   (occupied),
       .read_addr_o  (owner_addr),
       .read_owner_i (owner),
+      .read_facing_i(facing),
       .write_o      (fill),
+      .write_facing_o(fill_facing),
+      .show_o       (show),
+      .flip_o       (flip),
+      .thin_o       (thin),
       .write_addr_o (fill_z),
       .write_owner_o(fill_owner),
       .busy_o       (fill_busy)
@@ -263,6 +275,12 @@ module rc2_cell (
       .fill_i           (fill),
       .fill_z_i         (fill_z),
       .fill_owner_i     (fill_owner),
+      .facing_o         (facing),
+      .fill_facing_i    (fill_facing),
+      .show_i           (show),
+      .flip_i           (flip),
+      .thin_i           (thin),
+      .end_i            (unit_valid && is_end && !fill_busy),
       .absorb_i         (absorb),
       .absorb_z_i       (absorb_z),
       .area_i           (area),
@@ -279,7 +297,7 @@ module rc2_cell (
   );
 
   // A READ word waits in the stage while the column's own words go east, then follows them.
-  assign unit_ready = is_read ? read_done : dexel_ready;
+  assign unit_ready = is_read ? read_done : is_end ? !fill_busy : dexel_ready;
   assign word_valid_o = data_valid || stage_valid;
   assign word_o = data_valid ?
       {rc2_pkg::KindData, {(RowPayloadW - rc2_pkg::DataW) {1'b0}}, data} :

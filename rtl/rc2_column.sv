@@ -7,6 +7,9 @@
 // Claim of the owner, and count: RAM words. A count takes a new arrival every cycle, also at the same voxel: the
 // sum written in the cycle before is bypassed, as the RAM still shows the old one.
 //
+// Layers (rc2_pkg::LAYERS): shown, inside and thin, one register bit a voxel each, the parity of the
+// object under way, and the owner's facing beside its claim.
+//
 // Readback: while read_i asks, one word per occupied voxel in order of z (or one word that says
 // there is none), a word every second cycle, then read_done_o for one accepted cycle.
 
@@ -22,6 +25,13 @@ module rc2_column (
     input  logic                       fill_i,
     input  logic [rc2_pkg::CoordW-1:0] fill_z_i,
     input  rc2_pkg::claim_t            fill_owner_i,
+    // the other layers: what becomes of voxel fill_z_i
+    output logic [rc2_pkg::FacingW-1:0] facing_o,       // of the owner
+    input  logic [rc2_pkg::FacingW-1:0] fill_facing_i,
+    input  logic                       show_i,
+    input  logic                       flip_i,
+    input  logic                       thin_i,
+    input  logic                       end_i,           // of an object
     // light: absorb_i announces an arrival at absorb_z_i, its number of targets follows
     input  logic                       absorb_i,
     input  logic [rc2_pkg::CoordW-1:0] absorb_z_i,
@@ -70,6 +80,47 @@ module rc2_column (
       .read_data_o (owner_o)
   );
 
+  // ---- Layers ----------------------------------------------------------------------------------------
+  logic [N-1:0] shown, solid, thin;
+  if (rc2_pkg::LAYERS) begin : g_layers
+    logic [N-1:0] shown_q, solid_q, thin_q, parity_q;
+    rc2_ram #(
+        .Width(rc2_pkg::FacingW),
+        .Depth(N)
+    ) u_facing (
+        .clk_i       (clk_i),
+        .write_i     (fill_i),
+        .write_addr_i(fill_z_i),
+        .write_data_i(fill_facing_i),
+        .read_addr_i (owner_addr_i),
+        .read_data_o (facing_o)
+    );
+    assign shown = shown_q;
+    assign solid = solid_q;
+    assign thin = thin_q;
+    always_ff @(posedge clk_i) begin
+      if (!rst_ni || clear_i) begin
+        shown_q  <= '0;
+        solid_q  <= '0;
+        thin_q   <= '0;
+        parity_q <= '0;
+      end else begin
+        if (show_i) shown_q[fill_z_i] <= 1'b1;
+        if (thin_i) thin_q[fill_z_i] <= 1'b1;
+        if (flip_i) parity_q <= parity_q ^ ({N{1'b1}} << fill_z_i);
+        if (end_i) begin
+          solid_q  <= solid_q | parity_q;
+          parity_q <= '0;
+        end
+      end
+    end
+  end else begin : g_armour
+    assign shown = '0;
+    assign solid = '0;
+    assign thin = '0;
+    assign facing_o = '0;
+  end
+
   // ---- Targets that arrived --------------------------------------------------------------------------
   logic arriving_q, bypass_q;
   logic [CoordW-1:0] arriving_z_q;
@@ -106,8 +157,15 @@ module rc2_column (
   end
 
   // ---- Readback: the words -----------------------------------------------------------------------
-  logic counters, sent;
-  assign counters = (read_what_i == rc2_pkg::ReadCounters);
+  logic sent;
+  logic [N-1:0] wanted;
+  always_comb begin
+    case (read_what_i)
+      rc2_pkg::ReadCounters: wanted = N'(3);
+      rc2_pkg::ReadLayers: wanted = occupied_q | shown | solid | thin;
+      default: wanted = occupied_q;
+    endcase
+  end
   assign sent = fetched_q && data_ready_i;
   assign data_valid_o = fetched_q;
   assign read_done_o = done_q;
@@ -118,6 +176,8 @@ module rc2_column (
     data_o.z     = first_z;
     case (read_what_i)
       rc2_pkg::ReadVoxels: data_o.value = ValueW'(owner_o);
+      rc2_pkg::ReadLayers:
+      data_o.value = ValueW'({thin[first_z], solid[first_z], shown[first_z], occupied_q[first_z]});
       rc2_pkg::ReadLight:  data_o.value = lit_q[first_z] ? ValueW'(count_read) : '0;
       default:             data_o.value = (first_z == 0) ? visits_i : ValueW'(deepest_i);
     endcase
@@ -139,8 +199,8 @@ module rc2_column (
       if (read_done_taken_i) done_q <= 1'b0;
     end
     if (read_i && !reading_q) begin
-      todo_q <= counters ? N'(3) : occupied_q;
-      none_q <= !counters && (occupied_q == 0);
+      todo_q <= wanted;
+      none_q <= (wanted == 0);
     end else if (sent) begin
       todo_q <= todo_q & ~first;
     end
@@ -153,6 +213,7 @@ module rc2_column (
     if (rst_ni) begin
       assert (!(fill_i && (absorb_i || reading_q)));
       assert (!(absorb_i && reading_q));
+      assert (!(end_i && (fill_i || flip_i)));
       assert (!(clear_i && fill_i) && !(start_i && arriving_q));
       assert (!(absorb_i && !occupied_q[absorb_z_i]));
     end

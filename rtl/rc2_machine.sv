@@ -10,7 +10,7 @@
 // Registers (32 bits, byte addresses; read-only unless said):
 //   00 id "RC2" and layout version   04 n   08 f   0C LMAX   10 FAMAX
 //   14 bits of a packet word   18 bits of a readback word   1C bits of a facet number
-//   38 row feeders
+//   38 row feeders   3C 1 if the columns have layers
 //   20 command, write 1: bit 0 forget the voxels, bit 1 start the light (only while idle)
 //   24 status: bit 0 busy, bit 1 all targets are home
 //   28 cycles in which the array was busy since the last command
@@ -158,6 +158,7 @@ module rc2_machine (
         7'h18:   s_axil_rdata <= rc2_pkg::DataW;
         7'h1C:   s_axil_rdata <= rc2_pkg::FacetW;
         7'h38:   s_axil_rdata <= rc2_pkg::FEEDERS;
+        7'h3C:   s_axil_rdata <= 32'(rc2_pkg::LAYERS);
         7'h24:   s_axil_rdata <= {30'd0, (home_q == targets_q), busy};
         7'h28:   s_axil_rdata <= busy_cycles_q;
         7'h2C:   s_axil_rdata <= home_cycle_q;

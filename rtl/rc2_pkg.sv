@@ -2,7 +2,7 @@
 //
 // The one place where the machine's size, message formats and widths are stated.
 //
-// A build chooses N, F, LMAX, FAMAX and FEEDERS by macros; everything else follows from them.
+// A build chooses N, F, LMAX, FAMAX, FEEDERS and LAYERS by macros; everything else follows from them.
 // sw/base/config.h derives the same widths for the host, which checks them against the
 // capability registers of rc2_machine before it sends a word.
 //
@@ -21,6 +21,9 @@
 `ifndef RC2_FAMAX
 `define RC2_FAMAX 32
 `endif
+`ifndef RC2_LAYERS
+`define RC2_LAYERS 1
+`endif
 `ifndef RC2_FEEDERS
 `define RC2_FEEDERS ((`RC2_N >= 64) ? 16 : (`RC2_N >= 32) ? 8 : (`RC2_N >= 16) ? 4 : \
                      (`RC2_N >= 8) ? 2 : 1)
@@ -35,6 +38,8 @@ package rc2_pkg;
   localparam int unsigned FAMAX = `RC2_FAMAX;  // places in a cell's beam queue (FA)
   localparam int unsigned FEEDERS = `RC2_FEEDERS;  // words per cycle from the host; a power of two
 
+  localparam bit LAYERS = (`RC2_LAYERS != 0);  // columns know shown, inside and thin, not only armour
+
   // ---- Widths ------------------------------------------------------------------------------
   localparam int unsigned CoordW = (N <= 2) ? 1 : $clog2(N);  // 0 .. N-1
   localparam int unsigned OffW = CoordW + 1;                  // signed -(N-1) .. N-1
@@ -47,6 +52,9 @@ package rc2_pkg;
   localparam int unsigned GapW = 2 + GapFractionW;
   localparam int unsigned GapValueW = CoordW + 2 + GapW;
   localparam int unsigned ClaimW = 1 + GapW + FacetW;
+  localparam int unsigned LayerW = 2;
+  // Signs of the large components of a normal, 9(x+1) + 3(y+1) + (z+1); the opposite is 26 - it.
+  localparam int unsigned FacingW = 5;
   // A plane coefficient is twice a projected area: at most (N*2^F)^2, which is reached; and a sign.
   // The slab's width, a sum of three, fits without the sign.
   localparam int unsigned PlaneW = 2 * (CoordW + F) + 2;
@@ -72,18 +80,21 @@ package rc2_pkg;
   // pipe's rest is a row pipe's payload, so one stage serves both (rc2_facet_stage). A packet is a
   // HEAD, a SLAB, its SIDEs and a GAP; the lead of all but HEAD is the step of d per cell.
   localparam int unsigned KindW = 3;
-  localparam logic [2:0] KindHead = 3'd0;  // lead {take, skip}, rest {width, facet, zspan, z0}
+  localparam logic [2:0] KindHead = 3'd0;  // lead {take, skip}, rest {layer, width, facet, zspan, z0}
   localparam logic [2:0] KindSlab = 3'd1;  // rest {c, d}: 0 <= c*z + d <= width
   localparam logic [2:0] KindSide = 3'd2;  // rest {push, c, d}: c*z + d >= 0; core: >= push
-  localparam logic [2:0] KindGap = 3'd3;   // rest {c, d}: c*z + d is the gap of voxel z
+  localparam logic [2:0] KindGap = 3'd3;   // rest {facing, c, d}: c*z + d is the gap of voxel z
   localparam logic [2:0] KindRead = 3'd4;  // rest {what}: every cell appends its words
   localparam logic [2:0] KindData = 3'd5;  // one word read back: data_t
+  localparam logic [2:0] KindEnd = 3'd6;   // of an object: every column adds its parity to inside
 
   localparam int unsigned LeadW = (2 * CountW > CoefW) ? 2 * CountW : CoefW;
-  localparam int unsigned HeadRestW = PlaneW + FacetW + 2 * CoordW;
+  localparam int unsigned HeadRestW = LayerW + PlaneW + FacetW + 2 * CoordW;
   localparam int unsigned SlabRestW = CoefW + DistW;
   localparam int unsigned SideRestW = PushW + SideW + DistW;
-  localparam int unsigned LongRestW = (SlabRestW > SideRestW) ? SlabRestW : SideRestW;
+  localparam int unsigned GapRestW = FacingW + GapValueW + DistW;
+  localparam int unsigned PlaneRestW = (SlabRestW > GapRestW) ? SlabRestW : GapRestW;
+  localparam int unsigned LongRestW = (PlaneRestW > SideRestW) ? PlaneRestW : SideRestW;
   localparam int unsigned RestW = (HeadRestW > LongRestW) ? HeadRestW : LongRestW;
   localparam int unsigned RowPayloadW = LeadW + RestW;
   localparam int unsigned HostPayloadW = LeadW + RowPayloadW;
@@ -93,6 +104,13 @@ package rc2_pkg;
   localparam logic [1:0] ReadVoxels = 2'd0;    // claim of the owner of each occupied voxel
   localparam logic [1:0] ReadLight = 2'd1;     // targets arrived at each occupied voxel
   localparam logic [1:0] ReadCounters = 2'd2;  // z=0: beams served; z=1: deepest queue
+  localparam logic [1:0] ReadLayers = 2'd3;    // {thin, inside, shown, armour} of each voxel in any
+
+  // What a packet does with the voxels that it fills.
+  localparam logic [1:0] LayerArmour = 2'd0;  // occupies and claims them
+  localparam logic [1:0] LayerShown = 2'd1;   // marks them as shown
+  localparam logic [1:0] LayerInside = 2'd2;  // flips the parity of them and all above them
+  localparam logic [1:0] LayerThin = 2'd3;    // marks those whose owner faces the other way
 
   typedef struct packed {
     logic              last;   // of the cell

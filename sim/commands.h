@@ -20,6 +20,7 @@ void declare_compare(CLI::App& program, ExitCode& exit_code);
 void declare_lines(CLI::App& program, ExitCode& exit_code);
 void declare_tunnels(CLI::App& program, ExitCode& exit_code);
 void declare_leaks(CLI::App& program, ExitCode& exit_code);
+void declare_rounding(CLI::App& program, ExitCode& exit_code);
 void declare_network(CLI::App& program, ExitCode& exit_code);
 void declare_thesis(CLI::App& program, ExitCode& exit_code);
 

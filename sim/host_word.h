@@ -10,23 +10,24 @@
 
 namespace rc2 {
 
-enum class ReadWhat : std::uint8_t { voxels = 0, light = 1, counters = 2 };
+enum class ReadWhat : std::uint8_t { voxels = 0, light = 1, counters = 2, layers = 3 };
 
 /// Field widths of a machine's words, from its size.
 struct WordFormat {
-  int coordinate, count, coefficient, plane, offset, side, push, lead, rest, value;
+  int coordinate, count, coefficient, plane, gap, offset, side, push, lead, rest, value;
 
   explicit WordFormat(const MachineConfig& config)
       : coordinate(coordinate_bits(config.n)),
         count(bits_for(config.n + 1)),
         coefficient(coefficient_bits(config.n, config.fraction_bits)),
         plane(plane_bits(config.n, config.fraction_bits)),
+        gap(gap_value_bits(config.n)),
         offset(offset_bits(config.n, config.fraction_bits)),
         side(side_bits(config.n, config.fraction_bits)),
         push(push_bits(config.n, config.fraction_bits)),
         lead(std::max(2 * count, coefficient)),
-        rest(std::max(
-            {plane + kFacetBits + 2 * coordinate, coefficient + offset, push + side + offset})),
+        rest(std::max({kLayerBits + plane + kFacetBits + 2 * coordinate, coefficient + offset,
+                       kFacingBits + gap + offset, push + side + offset})),
         value(std::max(kClaimBits, home_bits(config.max_distance) + coordinate)) {}
 
   int packet_bits() const { return kKindBits + 2 * lead + rest; }
@@ -50,17 +51,20 @@ class HostWord {
       fill(format.coordinate, format.coordinate, word.z_span);
       fill(2 * format.coordinate, kFacetBits, word.facet);
       fill(2 * format.coordinate + kFacetBits, format.plane, word.reach);
+      fill(2 * format.coordinate + kFacetBits + format.plane, kLayerBits,
+           static_cast<std::int64_t>(word.layer));
       fill(cells, format.count, word.skip[0]);
       fill(cells + format.count, format.count, word.take[0]);
       fill(rows, format.count, word.skip[1]);
       fill(rows + format.count, format.count, word.take[1]);
       return;
     }
-    const bool side = word.kind == WordKind::side;
-    const int c_bits = side ? format.side : format.coefficient;
+    const bool side = word.kind == WordKind::side, gap = word.kind == WordKind::gap;
+    const int c_bits = side ? format.side : gap ? format.gap : format.coefficient;
     fill(0, format.offset, word.d);
     fill(format.offset, c_bits, word.c);
     if (side) fill(format.offset + c_bits, format.push, word.reach);
+    if (gap) fill(format.offset + c_bits, kFacingBits, word.facing);
     fill(cells, format.coefficient, word.step[0]);
     fill(rows, format.coefficient, word.step[1]);
   }

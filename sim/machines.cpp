@@ -30,6 +30,12 @@ std::unique_ptr<Machine> make_machine(const std::string& name, const MachineConf
     check_limit("--target-distance", job.max_distance, built.max_distance,
                 "raise RC2_LMAX in rtl/rc2_pkg.sv", job.n);
     check_limit("--fa", job.max_fa, built.max_fa, "raise RC2_FAMAX in rtl/rc2_pkg.sv", job.n);
+    if (job.feeders != built.feeders) {
+      throw Error(fmt::format(
+          "--feeders {}: the Verilated machine of n = {} was built with {} row feeders; ask for "
+          "that many, or change RC2_FEEDERS in rtl/rc2_pkg.sv and `make rtl N={}`",
+          job.feeders, job.n, built.feeders, job.n));
+    }
     return machine;
   }
   MachineConfig config = job;

@@ -59,6 +59,9 @@ void declare_scene_options(CLI::App& command, SceneOptions& options, const std::
       .add_option("--rule", options.rule,
                   "Voxels of a facet: armoured, naive, supercover, half or blindee")
       ->capture_default_str();
+  command.add_option("--feeders", options.feeders,
+                     "Row feeders: words that the host port takes per cycle, a power of two "
+                     "(default: 1 for n < 8, then n / 4, at most 16)");
   command
       .add_option("--seed", options.seed, "Seed of shells:PERCENT and dust:PERCENT named without")
       ->capture_default_str();
@@ -100,6 +103,7 @@ void check_options(SceneOptions& options) {
   check_range("--fraction-bits", options.fraction_bits, 0, kMaxFractionBits);
   // Signed here, because the command line would take -1 for a huge unsigned number.
   check_range<std::int64_t>("--seed", options.seed, 0, std::numeric_limits<std::int64_t>::max());
+  check_feeders("--feeders", options.feeder_count(), options.n);
   facet::parse_rule(options.rule);
   complete_seed(options.scene, options.seed);
 }

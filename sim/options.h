@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "sw/base/config.h"
 #include "sw/facet/facet.h"
 
 namespace rc2 {
@@ -19,10 +20,12 @@ struct SceneOptions {
   std::string fit;  ///< "cube", "none", or empty: cube for a file, none for a generated scene
   int fraction_bits = 4;
   std::string rule = "armoured";
+  std::optional<int> feeders;
   std::int64_t seed = 1;
   std::string dump;
 
   bool fitted() const;
+  int feeder_count() const { return feeders.value_or(default_feeders(n)); }
 };
 
 struct RunOptions : SceneOptions {

@@ -17,7 +17,8 @@ foreach(module column cell array machine)
 endforeach()
 set(RC2_VERILATED_GLUE ${PROJECT_SOURCE_DIR}/sim/verilated_machine.cpp
                        ${PROJECT_SOURCE_DIR}/sim/wave_list.cpp
-                       ${PROJECT_SOURCE_DIR}/sw/machine/feeder.cpp)
+                       ${PROJECT_SOURCE_DIR}/sw/machine/feeder.cpp
+                       ${PROJECT_SOURCE_DIR}/sw/machine/checks.cpp)
 set(RC2_RTL_RULES ${PROJECT_SOURCE_DIR}/rtl/trace.vlt ${PROJECT_SOURCE_DIR}/rtl/rc2.vlt)
 
 # -O1: as fast as -O2 and quicker to build; the slow path runs once. Waves cost nothing until they
@@ -50,7 +51,7 @@ function(rc2_add_rtl n fraction_bits)
             ${PROJECT_SOURCE_DIR}/sim/host_word.h ${PROJECT_SOURCE_DIR}/sim/rtl_machine.h
             ${PROJECT_SOURCE_DIR}/sim/wave_list.h
             ${PROJECT_SOURCE_DIR}/sw/machine/machine.h ${PROJECT_SOURCE_DIR}/sw/machine/claim.h
-            ${PROJECT_SOURCE_DIR}/sw/machine/feeder.h ${PROJECT_SOURCE_DIR}/sw/machine/word.h
+            ${PROJECT_SOURCE_DIR}/sw/machine/checks.h ${PROJECT_SOURCE_DIR}/sw/machine/feeder.h ${PROJECT_SOURCE_DIR}/sw/machine/word.h
             ${PROJECT_SOURCE_DIR}/sw/base/config.h
             ${PROJECT_SOURCE_DIR}/sw/facet/packet.h
     COMMENT "Verilating the ${n}x${n} array"

@@ -16,6 +16,7 @@
 #include "sim/outputs.h"
 #include "sim/results.h"
 #include "sim/stopwatch.h"
+#include "sw/machine/feeder.h"
 #include "sw/report/compare.h"
 
 namespace rc2 {
@@ -34,6 +35,8 @@ report::Report describe(const RunOptions& options, const Job& job) {
   report.fraction_bits = options.fraction_bits;
   report.target_distance = options.distance();
   report.fa = options.fa;
+  report.feeders = options.feeder_count();
+  report.load_words = busiest_feeder_words(job.facets.packets, report.feeders);
   report.facets = job.facets.counts;
   report.ignored = {job.scene.ignored_primitives, job.scene.ignored_lights,
                     job.scene.ignored_textures};
@@ -44,7 +47,7 @@ report::Report describe(const RunOptions& options, const Job& job) {
 }
 
 MachineConfig needs(const RunOptions& options) {
-  return {options.n, options.fraction_bits, options.distance(), options.fa};
+  return {options.n, options.fraction_bits, options.distance(), options.fa, options.feeder_count()};
 }
 
 // Loads and lights the machine, and puts into the report what it did.

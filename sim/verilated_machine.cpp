@@ -15,6 +15,7 @@
 #include "sim/host_word.h"
 #include "sim/rtl_machine.h"
 #include "sim/wave_list.h"
+#include "sw/machine/checks.h"
 #include "sw/machine/feeder.h"
 
 namespace rc2 {
@@ -31,6 +32,7 @@ enum Register : std::uint8_t {
   kReadbackBits = 0x18,
   kFacetNumberBits = 0x1C,
   kFeeders = 0x38,
+  kLayers = 0x3C,
   kCommand = 0x20,
   kStatus = 0x24,
   kBusyCycles = 0x28,
@@ -88,6 +90,7 @@ class VerilatedMachine final : public Machine {
   const MachineConfig& config() const override { return config_; }
 
   LoadResult load(const facet::PacketStream& packets, const Progress& progress) override {
+    check_packets(config_, packets);
     write_register(kCommand, kCommandClear);
     std::vector<FeederWords> feeders;
     for (int k = 0; k < config_.feeders; ++k) feeders.emplace_back(packets, k, config_.feeders);
@@ -164,6 +167,15 @@ class VerilatedMachine final : public Machine {
   VoxelMemory read_voxels() override { return voxels_; }
   LightMemory read_light() override { return light_; }
 
+  LayerMemory read_layers() override {
+    LayerMemory memory;
+    for (const Reading& reading : read_back(ReadWhat::layers)) {
+      const auto has = [&](int bit) { return (reading.value >> bit & 1U) != 0; };
+      memory.push_back({reading.at, has(0), has(1), has(2), has(3)});
+    }
+    return memory;
+  }
+
  private:
   // ---- Clock -------------------------------------------------------------------------------
   void half(bool high) {
@@ -215,6 +227,7 @@ class VerilatedMachine final : public Machine {
     config.max_distance = static_cast<int>(read_register(kLmax));
     config.max_fa = static_cast<int>(read_register(kFamax));
     config.feeders = static_cast<int>(read_register(kFeeders));
+    config.layers = read_register(kLayers) != 0;
     return config;
   }
 

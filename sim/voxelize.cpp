@@ -21,7 +21,8 @@ ExitCode voxelize(SceneOptions options) {
   Outputs outputs;
   if (!options.dump.empty()) outputs.add_file(options.dump);
 
-  const auto machine = make_machine(options.machine, {options.n, options.fraction_bits, 1, 1});
+  const auto machine = make_machine(
+      options.machine, {options.n, options.fraction_bits, 1, 1, options.feeder_count()});
   ProgressBar bar;
   const LoadResult load =
       machine->load(job.facets.packets, bar.step("loading on " + options.machine));

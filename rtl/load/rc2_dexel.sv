@@ -6,6 +6,7 @@
 // interval from below (c > 0: z >= ceil(-e/c)), from above (c < 0: z <= floor(e/-c)), or keep or
 // empty it (c = 0):
 //   SLAB  back  c*z + d >= 0 and front -c*z + width - d >= 0, both of the facet (T and U)
+// (a packet of the layer "inside" has no front)
 //   SIDE  c*z + d >= 0 of the facet (Ti), c*z + d - push >= 0 of its core
 // GAP ends the packet: the unit offers what is left. z counts from the box's low corner.
 //
@@ -26,6 +27,7 @@ module rc2_dexel (
     // the dexel that a GAP offers: voxels z0+lo .. z0+hi, core z0+core_lo .. z0+core_hi
     output logic                      valid_o,
     output logic [rc2_pkg::FacetW-1:0] facet_o,
+    output logic [rc2_pkg::LayerW-1:0] layer_o,
     output logic [rc2_pkg::CoordW-1:0] z0_o,
     output logic [rc2_pkg::CoordW-1:0] lo_o,
     output logic [rc2_pkg::CoordW-1:0] hi_o,
@@ -47,14 +49,16 @@ module rc2_dexel (
 
   // ---- The packet's box ----------------------------------------------------------------------
   logic [rc2_pkg::FacetW-1:0] facet_q;
+  logic [rc2_pkg::LayerW-1:0] layer_q;
   logic [PlaneW-1:0] width_q;
   logic [CoordW-1:0] z0_q, lo_q, hi_q, core_lo_q, core_hi_q;
   logic [CoordW:0] top_q;  // one-hot: 2^bits(range), the first quotient surely above the range
 
+  logic [rc2_pkg::LayerW-1:0] head_layer;
   logic [PlaneW-1:0] head_width;
   logic [rc2_pkg::FacetW-1:0] head_facet;
   logic [CoordW-1:0] head_span, head_z0;
-  assign {head_width, head_facet, head_span, head_z0} = rest_i[rc2_pkg::HeadRestW-1:0];
+  assign {head_layer, head_width, head_facet, head_span, head_z0} = rest_i[rc2_pkg::HeadRestW-1:0];
 
   logic [CoordW:0] head_top;
   assign head_top[0] = (head_span == 0);
@@ -104,6 +108,9 @@ module rc2_dexel (
   end
 
   logic [CmpW-1:0] limit;
+  logic frontless;
+  assign frontless = is_slab && (layer_q == rc2_pkg::LayerInside);
+
   logic below_a, below_b, above_a, above_b, fails_a, fails_b, divides_a, divides_b;
   assign limit = {{(CmpW - DivW) {1'b0}}, divisor_top};
   assign below_a = num_a[NumW-1];
@@ -113,10 +120,10 @@ module rc2_dexel (
   assign fails_a = flat ? e_a[NumW-1] : (lower_a ? above_a : below_a);
   assign fails_b = flat ? e_b[NumW-1] : (lower_b ? above_b : below_b);
   assign divides_a = !flat && !below_a && !above_a && !top_q[0];
-  assign divides_b = !flat && !below_b && !above_b && !top_q[0] && !(is_side && no_core);
+  assign divides_b = !flat && !below_b && !above_b && !top_q[0] && !(is_side && no_core) && !frontless;
 
   logic empties, empties_core, divides;
-  assign empties = fails_a || (is_slab && fails_b);
+  assign empties = fails_a || (is_slab && fails_b && !frontless);
   assign empties_core = is_side && fails_b;
   assign divides = !empties && (divides_a || divides_b);
 
@@ -140,6 +147,7 @@ module rc2_dexel (
                    (is_gap ? ready_i : (dividing_q ? bit_q[0] : !divides));
   assign valid_o = valid_i && is_gap && !nothing;
   assign facet_o = facet_q;
+  assign layer_o = layer_q;
   assign z0_o = z0_q;
   assign lo_o = lo_q;
   assign hi_o = hi_q;
@@ -160,6 +168,7 @@ module rc2_dexel (
 
     if (valid_i && is_head && take_i) begin
       facet_q   <= head_facet;
+      layer_q   <= head_layer;
       width_q   <= head_width;
       z0_q      <= head_z0;
       lo_q      <= '0;

@@ -25,17 +25,19 @@ module rc2_collector (
   localparam int unsigned RowWordW = rc2_pkg::RowWordW;
 
   logic [1:0] held;
-  logic room, row_ends, above_ends, row_taken, above_taken, push;
+  logic room, row_drops, row_ends, above_ends, row_taken, above_taken, push;
   logic own_done_q;
 
   assign room = (held != 2'd2);
+  // The end of an object has told every cell of the row; nobody waits for it here.
+  assign row_drops = (row_word_i[RowWordW-1-:rc2_pkg::KindW] == rc2_pkg::KindEnd);
   assign row_ends = (row_word_i[RowWordW-1-:rc2_pkg::KindW] == rc2_pkg::KindRead);
   assign above_ends = (above_word_i[RowWordW-1-:rc2_pkg::KindW] == rc2_pkg::KindRead);
   assign row_ready_o = room && !own_done_q;
   assign above_ready_o = room && own_done_q;
   assign row_taken = row_valid_i && row_ready_o;
   assign above_taken = above_valid_i && above_ready_o;
-  assign push = (row_taken && !row_ends) || above_taken;
+  assign push = (row_taken && !row_ends && !row_drops) || above_taken;
 
   rc2_fifo #(
       .Width(RowWordW),
@@ -61,7 +63,8 @@ module rc2_collector (
   // Contract: only readback comes out of a row: facet packets end inside their box.
   always_ff @(posedge clk_i) begin
     if (rst_ni && row_valid_i) begin
-      assert (row_word_i[RowWordW-1-:rc2_pkg::KindW] == rc2_pkg::KindData || row_ends);
+      assert (row_word_i[RowWordW-1-:rc2_pkg::KindW] == rc2_pkg::KindData || row_ends ||
+              row_drops);
     end
   end
 endmodule

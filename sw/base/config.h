@@ -8,6 +8,11 @@
 
 namespace rc2 {
 
+/// Row feeders of a machine that nobody asked for other.
+constexpr int default_feeders(int n) {
+  return n >= 64 ? 16 : n >= 32 ? 8 : n >= 16 ? 4 : n >= 8 ? 2 : 1;
+}
+
 /// What a machine was built for. A job may ask for less (fraction bits, L, FA), never for more.
 struct MachineConfig {
   int n = 16;             ///< cells per side, voxels per column (>= 2)
@@ -15,6 +20,7 @@ struct MachineConfig {
   int max_distance = 64;  ///< largest distance L of the virtual faces
   int max_fa = 32;        ///< deepest beam queue (FA) of a cell
   int feeders = 1;        ///< row feeders that the host port serves; a power of two <= n
+  bool layers = true;     ///< columns know shown, inside and thin voxels, not only armour
 };
 
 constexpr int kMaxSide = 1024;       ///< largest n the 64-bit host arithmetic is proven for
@@ -38,6 +44,11 @@ constexpr int kGapBits = 6;
 
 /// What a machine keeps of a voxel's owner: core, gap, facet number.
 constexpr int kClaimBits = 1 + kGapBits + kFacetBits;
+
+/// Bits of what else a packet says of its facet: its layer, which way it faces.
+constexpr int kLayerBits = 2;
+constexpr int kFacingBits = 5;
+constexpr int kOppositeFacings = 26;  ///< the sum of two opposite ones
 
 /// Fraction bits of a gap on its way through a box: three coefficients, each half a unit wrong, are
 /// stepped n times at most, which leaves an error of 3/8 of a sixteenth.

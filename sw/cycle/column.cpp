@@ -11,24 +11,36 @@ std::size_t count_bits(std::uint64_t word) { return std::bitset<64>(word).count(
 }  // namespace
 
 Columns::Columns(int n)
-    : words_(static_cast<std::size_t>(n + 63) / 64),
+    : n_(n),
+      words_(static_cast<std::size_t>(n + 63) / 64),
       occupied_(words_ * static_cast<std::size_t>(n) * static_cast<std::size_t>(n)),
       voxels_(static_cast<std::size_t>(n) * static_cast<std::size_t>(n)) {}
 
 void Columns::clear() {
   std::fill(occupied_.begin(), occupied_.end(), 0);
   for (auto& column : voxels_) column.clear();
+  layers_.clear();
 }
 
-void Columns::fill(std::size_t column, int z, const Claim& claim) {
+void Columns::fill(std::size_t column, int z, const Claim& claim, std::uint8_t facing) {
   auto& voxels = voxels_[column];
   const std::size_t at = place(column, z);
-  if (occupied(column, z)) {
-    voxels[at].claim = std::min(voxels[at].claim, claim.packed());
-  } else {
+  if (!occupied(column, z)) {
     occupied_[word_of(column, z)] |= std::uint64_t{1} << (z % 64);
-    voxels.insert(voxels.begin() + static_cast<std::ptrdiff_t>(at), Voxel{claim.packed(), 0});
+    voxels.insert(voxels.begin() + static_cast<std::ptrdiff_t>(at), {claim.packed(), 0, facing});
+  } else if (claim.packed() < voxels[at].claim) {
+    voxels[at] = {claim.packed(), 0, facing};
   }
+}
+
+ColumnLayers& Columns::layers(std::size_t column) {
+  if (layers_.empty()) layers_.assign(size(), ColumnLayers(n_));
+  return layers_[column];
+}
+
+const ColumnLayers& Columns::layers(std::size_t column) const {
+  static const ColumnLayers kNone;
+  return layers_.empty() ? kNone : layers_[column];
 }
 
 void Columns::darken() {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "sw/cycle/layers.h"
 #include "sw/machine/claim.h"
 
 namespace rc2::cycle {
@@ -27,7 +28,16 @@ class Columns {
   void clear();
 
   /// Gives a voxel to the facet that claims it, unless its owner has the better claim.
-  void fill(std::size_t column, int z, const Claim& claim);
+  void fill(std::size_t column, int z, const Claim& claim, std::uint8_t facing);
+
+  /// Which way the owner of an occupied voxel faces.
+  std::uint8_t facing(std::size_t column, int z) const {
+    return voxels_[column][place(column, z)].facing;
+  }
+
+  /// The other layers; they take memory from the first time that any column is asked for them.
+  ColumnLayers& layers(std::size_t column);
+  const ColumnLayers& layers(std::size_t column) const;
 
   /// Forgets the light.
   void darken();
@@ -47,6 +57,7 @@ class Columns {
  private:
   struct Voxel {
     std::uint32_t claim, arrived;
+    std::uint8_t facing;
   };
 
   std::size_t word_of(std::size_t column, int z) const {
@@ -54,9 +65,11 @@ class Columns {
   }
   std::size_t place(std::size_t column, int z) const;
 
+  int n_;
   std::size_t words_;                    // per column
   std::vector<std::uint64_t> occupied_;  // bit z % 64 of word z / 64 of each column
   std::vector<std::vector<Voxel>> voxels_;
+  std::vector<ColumnLayers> layers_;  // of each column, or none
 };
 
 }  // namespace rc2::cycle

@@ -30,15 +30,34 @@ void CycleMachine::for_each_voxel(Visit visit) const {
     std::size_t column = 0;
     for (at.y = 0; at.y < config_.n; ++at.y) {
       for (at.x = 0; at.x < config_.n; ++at.x, ++column) {
-        if (columns_.occupied(column, at.z)) visit(at, column);
+        visit(at, column);
       }
     }
   }
 }
 
+template <typename Visit>
+void CycleMachine::for_each_occupied(Visit visit) const {
+  for_each_voxel([&](glm::ivec3 at, std::size_t column) {
+    if (columns_.occupied(column, at.z)) visit(at, column);
+  });
+}
+
+LayerMemory CycleMachine::read_layers() {
+  LayerMemory memory;
+  const Columns& columns = columns_;
+  for_each_voxel([&](glm::ivec3 at, std::size_t column) {
+    const ColumnLayers& layers = columns.layers(column);
+    const LayerRecord record{at, columns.occupied(column, at.z), layers.shown.has(at.z),
+                             layers.inside.has(at.z), layers.thin.has(at.z)};
+    if (record.armour || record.shown || record.inside || record.thin) memory.push_back(record);
+  });
+  return memory;
+}
+
 VoxelMemory CycleMachine::read_voxels() {
   VoxelMemory voxels;
-  for_each_voxel([&](glm::ivec3 at, std::size_t column) {
+  for_each_occupied([&](glm::ivec3 at, std::size_t column) {
     voxels.push_back({at, columns_.owner(column, at.z)});
   });
   return voxels;
@@ -46,7 +65,7 @@ VoxelMemory CycleMachine::read_voxels() {
 
 LightMemory CycleMachine::read_light() {
   LightMemory light;
-  for_each_voxel(
+  for_each_occupied(
       [&](glm::ivec3 at, std::size_t column) { light.push_back(columns_.arrived(column, at.z)); });
   return light;
 }

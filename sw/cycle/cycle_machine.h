@@ -24,14 +24,18 @@ class CycleMachine : public Machine {
   LightResult light(const LightJob& job, const Progress& progress) override;
 
   VoxelMemory read_voxels() override;
+  LayerMemory read_layers() override;
   LightMemory read_light() override;
 
   /// Calls `observer` in every cycle of every light from now on; none if it is empty.
   void observe(Observer observer) { observer_ = std::move(observer); }
 
  private:
+  // visit(voxel, column) of every voxel of the cube, in the order of every dump.
   template <typename Visit>
   void for_each_voxel(Visit visit) const;
+  template <typename Visit>
+  void for_each_occupied(Visit visit) const;
 
   MachineConfig config_;
   Columns columns_;

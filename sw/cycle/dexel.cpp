@@ -24,11 +24,12 @@ void Dexel::step(const Word& word, bool taken) {
 }
 
 Span Dexel::offered(const Word& gap) const {
-  return {facet_, z0_, outer_.lo, outer_.hi, core_.lo, core_.hi, gap.d, gap.c};
+  return {facet_, layer_, gap.facing, z0_, outer_.lo, outer_.hi, core_.lo, core_.hi, gap.d, gap.c};
 }
 
 void Dexel::take_head(const Word& word) {
   facet_ = word.facet;
+  layer_ = word.layer;
   width_ = word.reach;
   z0_ = word.z0;
   outer_ = core_ = {0, word.z_span};
@@ -38,25 +39,27 @@ void Dexel::take_head(const Word& word) {
 
 // c*z + e >= 0 is z >= floor((c-1-e)/c) for c > 0 and z <= floor(e/-c) for c < 0. A slab has a back
 // c*z + d >= 0 and a front -c*z + width - d >= 0, a side has c*z + d >= 0 and a core
-// c*z + d - push >= 0.
+// c*z + d - push >= 0. A packet of the layer "inside" has no front.
 std::array<Dexel::Bound, 2> Dexel::bounds(const Word& word) const {
   const bool slab = word.kind == WordKind::slab;
-  const auto bound = [](std::int64_t c, std::int64_t e, bool core) {
+  const auto bound = [](std::int64_t c, std::int64_t e, bool core,
+                        bool none = false) {
     const bool lower = c > 0;
     const std::int64_t divisor = std::abs(c);
-    return Bound{c == 0, lower, lower ? divisor - 1 - e : e, divisor, core};
+    return Bound{c == 0, lower, lower ? divisor - 1 - e : e, divisor, core, none};
   };
   return {bound(word.c, word.d, false),
-          slab ? bound(-word.c, width_ - word.d, false) : bound(word.c, word.d - word.reach, true)};
+          slab ? bound(-word.c, width_ - word.d, false, layer_ == facet::Layer::inside) : bound(word.c, word.d - word.reach, true)};
 }
 
 bool Dexel::divides(const Bound& bound) const {
-  return !bound.flat && bound.numerator >= 0 && !is_beyond(bound) && top_ != 1 &&
+  return !bound.none && !bound.flat && bound.numerator >= 0 && !is_beyond(bound) && top_ != 1 &&
          !(bound.core ? core_ : outer_).empty();
 }
 
 // Holds for no z of the range.
 bool Dexel::fails(const Bound& bound) const {
+  if (bound.none) return false;
   return bound.flat || !bound.lower ? bound.numerator < 0 : is_beyond(bound);
 }
 

@@ -36,6 +36,7 @@ class Dexel {
     bool flat, lower;
     std::int64_t numerator, divisor;
     bool core;  ///< narrows core_, not outer_
+    bool none;  ///< there is no such bound
   };
 
   // The division of one bound.
@@ -57,6 +58,7 @@ class Dexel {
 
   // The packet's box: z counts from z0_; top_ is 2^bits(range), surely above the range.
   std::uint32_t facet_ = 0;
+  facet::Layer layer_ = facet::Layer::armour;
   std::int64_t width_ = 0;
   std::int32_t z0_ = 0, top_ = 1;
   Interval outer_{0, 0}, core_{0, 0};

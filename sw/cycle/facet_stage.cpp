@@ -2,11 +2,20 @@
 
 namespace rc2::cycle {
 
+namespace {
+
+// The end of an object concerns every unit.
+bool is_for_all(const Word& word) { return word.kind == WordKind::end; }
+
+}  // namespace
+
 bool FacetStage::here() const {
+  if (is_for_all(front())) return true;
   return front().kind == WordKind::head ? front().skip[lead_] == 0 : here_;
 }
 
 bool FacetStage::on() const {
+  if (is_for_all(front())) return true;
   return front().kind == WordKind::head ? front().skip[lead_] != 0 || front().take[lead_] > 1 : on_;
 }
 

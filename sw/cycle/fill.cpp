@@ -3,11 +3,13 @@
 namespace rc2::cycle {
 
 void Fill::step(const Span* offered, Columns& columns, std::size_t column) {
-  if (writing_) columns.fill(column, written_z_, written_);
+  if (writing_) write(columns, column);
   writing_ = walking_;
   if (walking_) {
     written_z_ = span_.z0 + span_.lo;
     written_ = claim();
+    written_layer_ = span_.layer;
+    written_facing_ = span_.facing;
     walking_ = span_.lo != span_.hi;
     ++span_.lo;
     span_.gap += span_.gap_step;
@@ -21,9 +23,30 @@ void Fill::step(const Span* offered, Columns& columns, std::size_t column) {
     }
   } else if (offered != nullptr) {
     span_ = *offered;
+    if (span_.layer == facet::Layer::inside) span_.hi = span_.lo;  // one step flips all above
     to_seek_ = span_.lo;
-    seeking_ = span_.lo != 0;
+    seeking_ = span_.lo != 0 && span_.layer == facet::Layer::armour;
     walking_ = !seeking_;
+  }
+}
+
+void Fill::write(Columns& columns, std::size_t column) const {
+  switch (written_layer_) {
+    case facet::Layer::armour:
+      columns.fill(column, written_z_, written_, written_facing_);
+      break;
+    case facet::Layer::shown:
+      columns.layers(column).shown.set(written_z_);
+      break;
+    case facet::Layer::inside:
+      columns.layers(column).flip_from(written_z_);
+      break;
+    case facet::Layer::thin:
+      if (columns.occupied(column, written_z_) &&
+          columns.facing(column, written_z_) + written_facing_ == kOppositeFacings) {
+        columns.layers(column).thin.set(written_z_);
+      }
+      break;
   }
 }
 

@@ -4,13 +4,16 @@
 #include <cstdint>
 
 #include "sw/cycle/column.h"
+#include "sw/facet/packet.h"
 
 namespace rc2::cycle {
 
-/// Facet `facet` fills voxels z0+lo .. z0+hi of a column; its core is z0+core_lo .. z0+core_hi; the
+/// A facet fills voxels z0+lo .. z0+hi of a column; its core is z0+core_lo .. z0+core_hi; the
 /// gap is gap_step*z + gap, z counted from z0.
 struct Span {
   std::uint32_t facet;
+  facet::Layer layer;
+  std::uint8_t facing;
   int z0, lo, hi, core_lo, core_hi;
   std::int64_t gap, gap_step;
 };
@@ -26,14 +29,18 @@ class Fill {
   void step(const Span* offered, Columns& columns, std::size_t column);
 
  private:
+  void write(Columns& columns, std::size_t column) const;
   Claim claim() const;
 
   int n_;
   bool seeking_ = false, walking_ = false, writing_ = false;
   int to_seek_ = 0;    // bits of lo that the gap at lo still lacks
   Span span_{};        // lo moves up while walking, and gap with it
-  int written_z_ = 0;  // a voxel is written in the cycle after the walk is there
+  // A voxel is written in the cycle after the walk is there.
+  int written_z_ = 0;
   Claim written_;
+  facet::Layer written_layer_ = facet::Layer::armour;
+  std::uint8_t written_facing_ = 0;
 };
 
 }  // namespace rc2::cycle

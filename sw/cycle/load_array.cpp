@@ -59,10 +59,12 @@ std::int64_t LoadArray::run(const facet::PacketStream& packets, const Progress& 
 
 bool LoadArray::fires(std::size_t stage) const {
   const FacetStage& own = stages_[stage];
-  if (!own.busy() || (own.on() && !stages_[after(stage)].ready())) return false;
+  if (!own.busy()) return false;
+  if (own.on() && !is_last(stage) && !stages_[after(stage)].ready()) return false;
   if (!own.here()) return true;
   if (is_feeder(stage)) return stages_[stage + 1].ready();
   const Cell& cell = cells_[cell_of(stage)];
+  if (own.front().kind == WordKind::end) return !cell.fill.busy();
   return cell.dexel.ready(own.front(), cell.fill.ready());
 }
 
@@ -70,7 +72,8 @@ void LoadArray::step(std::size_t stage) {
   FacetStage& own = stages_[stage];
   const bool fires = fires_[stage] != 0;
   const bool here = own.busy() && own.here();
-  if (fires && own.on()) push(after(stage), own.stepped());
+  // What goes beyond the last unit of a pipe has told everybody.
+  if (fires && own.on() && !is_last(stage)) push(after(stage), own.stepped());
   if (!is_feeder(stage)) {
     step_cell(stage, here);
   } else if (fires && here) {
@@ -91,6 +94,11 @@ void LoadArray::step_cell(std::size_t stage, bool here) {
   }
   const Word& word = stages_[stage].front();
   const bool taken = fires_[stage] != 0;
+  if (word.kind == WordKind::end) {
+    cell.fill.step(nullptr, columns_, column);
+    if (taken) columns_.layers(column).end_object();
+    return;
+  }
   const Span offered = cell.dexel.offered(word);
   cell.fill.step(taken && cell.dexel.offers(word) ? &offered : nullptr, columns_, column);
   cell.dexel.step(word, taken);

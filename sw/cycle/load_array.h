@@ -36,6 +36,10 @@ class LoadArray {
     return stage + (is_feeder(stage) ? feeders_ * (n_ + 1) : 1);
   }
 
+  bool is_last(std::size_t stage) const {
+    return is_feeder(stage) ? after(stage) >= stages_.size() : is_feeder(stage + 1);
+  }
+
   bool fires(std::size_t stage) const;
   void step(std::size_t stage);
   void step_cell(std::size_t stage, bool here);

@@ -31,19 +31,39 @@ struct Side {
   std::int64_t push;
 };
 
+/// What a packet does to the voxels that it fills.
+enum class Layer : std::uint8_t {
+  armour = 0,  ///< occupies them and claims them for its facet
+  shown = 1,   ///< marks them as shown
+  inside = 2,  ///< flips the parity of them, and of all voxels above them in their columns
+  thin = 3,    ///< marks them as thin where their owner faces the opposite way
+};
+
 /// One facet: voxels lo..hi (inclusive, inside the grid) and its share of PacketStream::sides.
 struct PacketHead {
-  std::uint32_t facet;  ///< number of the facet, unique, < kMaxFacets
+  std::uint32_t facet;  ///< number of the facet, < kMaxFacets; unique among packets of its layer
   glm::ivec3 lo, hi;
   Slab slab;
   Linear gap;  ///< of a voxel centre from the plane; see Claim for its unit
   std::uint32_t first_side, side_count;
+  Layer layer = Layer::armour;  ///< inside: the slab has no front, only 0 <= value counts
+  /// Which way the facet faces: the signs of the large components of its normal as
+  /// 9 (x+1) + 3 (y+1) + (z+1). The opposite way is 26 - facing.
+  std::uint8_t facing = 13;
 };
 
-/// Packets in the order in which they enter the machine.
+/// Consecutive packets whose order among each other does not matter. Batches go one after another.
+struct Batch {
+  std::uint32_t first, count;
+  /// After the last packet every column adds its parity to what is inside and starts anew, so
+  /// that solids that overlap stay solid.
+  bool ends_object;
+};
+
 struct PacketStream {
   std::vector<PacketHead> heads;
   std::vector<Side> sides;
+  std::vector<Batch> batches;  ///< none: all packets are one batch
 };
 
 }  // namespace rc2::facet

@@ -7,22 +7,38 @@
 namespace rc2::golden {
 
 GoldenMachine::GoldenMachine(const MachineConfig& config)
-    : config_(checked(config)), grid_(config.n) {}
+    : config_(checked(config)), grid_(config.n), layers_(config.n) {}
 
 LoadResult GoldenMachine::load(const facet::PacketStream& packets, const Progress& progress) {
   check_packets(config_, packets);
 
   grid_.clear();
-  for (std::size_t i = 0; i < packets.heads.size(); ++i) {
-    const facet::PacketHead& packet = packets.heads[i];
-    fill_facet(grid_, packet, packets.sides.data() + packet.first_side);
-    if (progress && i % 4096 == 0) {
-      progress("load", 0, static_cast<double>(i) / static_cast<double>(packets.heads.size()));
+  layers_.clear();
+  std::size_t packet = 0;
+  for (const facet::Batch& batch : packets.batches) {
+    for (; packet < batch.first + batch.count; ++packet) add_packet(packets, packet);
+    if (batch.ends_object) layers_.end_object();
+  }
+  for (; packet < packets.heads.size(); ++packet) {
+    add_packet(packets, packet);
+    if (progress && packet % 4096 == 0) {
+      progress("load", 0, static_cast<double>(packet) / static_cast<double>(packets.heads.size()));
     }
   }
   number_voxels();
   arrived_.assign(voxels_.size(), 0);
   return {};
+}
+
+void GoldenMachine::add_packet(const facet::PacketStream& packets, std::size_t packet) {
+  const facet::PacketHead& head = packets.heads[packet];
+  const facet::Side* sides = packets.sides.data() + head.first_side;
+  if (head.layer == facet::Layer::armour) {
+    fill_facet(grid_, head, sides);
+    layers_.note_facing(head.facet, head.facing);
+  } else {
+    layers_.add(grid_, head, sides);
+  }
 }
 
 void GoldenMachine::number_voxels() {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "sw/golden/grid.h"
+#include "sw/golden/layers.h"
 #include "sw/machine/machine.h"
 
 namespace rc2::golden {
@@ -23,15 +24,19 @@ class GoldenMachine : public Machine {
   LightResult light(const LightJob& job, const Progress& progress) override;
 
   VoxelMemory read_voxels() override { return voxels_; }
+  LayerMemory read_layers() override { return layers_.read(grid_); }
   LightMemory read_light() override { return arrived_; }
 
  private:
+  void add_packet(const facet::PacketStream& packets, std::size_t packet);
+
   // Lists the occupied voxels in the order of every dump and puts into the grid, in place of the
   // owner's claim, the number of the voxel: where to count the rays that end there.
   void number_voxels();
 
   MachineConfig config_;
   Grid grid_;
+  Layers layers_;
   VoxelMemory voxels_;
   LightMemory arrived_;
 };

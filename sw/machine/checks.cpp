@@ -29,6 +29,9 @@ void check_packet(const MachineConfig& config, const facet::PacketStream& stream
   if (!inside(packet.lo, config.n) || !inside(packet.hi, config.n)) {
     refuse("its box reaches out of the cube");
   }
+  if (packet.layer != facet::Layer::armour && !config.layers) {
+    refuse("it was built without layers");
+  }
   if (packet.lo.x > packet.hi.x || packet.lo.y > packet.hi.y || packet.lo.z > packet.hi.z) {
     refuse("its box is empty");
   }
@@ -87,17 +90,29 @@ const MachineConfig& checked(const MachineConfig& config) {
   check("fraction bits", config.fraction_bits, 0, kMaxFractionBits);
   check("largest target distance L", config.max_distance, 1, kMaxDistance);
   check("deepest FA", config.max_fa, 1, 1 << 30);
-  if (config.feeders < 1 || config.feeders > config.n ||
-      (config.feeders & (config.feeders - 1)) != 0) {
-    throw Error(fmt::format(
-        "a machine of n = {} cannot have {} row feeders: choose a power of two from 1 to {}",
-        config.n, config.feeders, config.n));
-  }
+  check_feeders("row feeders", config.feeders, config.n);
   return config;
+}
+
+void check_feeders(const char* option, int feeders, int n) {
+  if (feeders < 1 || feeders > n || (feeders & (feeders - 1)) != 0) {
+    throw Error(fmt::format("{} {} cannot be built with n = {}: choose a power of two from 1 to {}",
+                            option, feeders, n, n));
+  }
 }
 
 void check_packets(const MachineConfig& config, const facet::PacketStream& stream) {
   for (const facet::PacketHead& packet : stream.heads) check_packet(config, stream, packet);
+  std::size_t next = 0;
+  for (const facet::Batch& batch : stream.batches) {
+    if (batch.first != next || batch.count > stream.heads.size() - next) {
+      throw Error("the batches of a packet stream do not follow each other; build the facets anew");
+    }
+    next += batch.count;
+  }
+  if (!stream.batches.empty() && next != stream.heads.size()) {
+    throw Error("the batches of a packet stream leave packets over; build the facets anew");
+  }
 }
 
 void check_light(const MachineConfig& config, const LightJob& job) {

@@ -14,6 +14,9 @@ constexpr int kMaxDistance = (1 << 15) - 1;
 /// Throws Error if no machine can have this size.
 const MachineConfig& checked(const MachineConfig& config);
 
+/// Throws Error naming the option unless `feeders` is a power of two from 1 to n.
+void check_feeders(const char* option, int feeders, int n);
+
 /// Throws Error unless the registers of the machine hold every packet, at every cell of its box.
 /// What passes cannot overflow 64 bits anywhere.
 void check_packets(const MachineConfig& config, const facet::PacketStream& stream);

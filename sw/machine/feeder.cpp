@@ -1,5 +1,6 @@
 #include "sw/machine/feeder.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace rc2 {
@@ -13,54 +14,86 @@ std::size_t spreading_stride(std::size_t count) {
   return stride;
 }
 
+std::vector<facet::Batch> batches_of(const facet::PacketStream& packets) {
+  if (!packets.batches.empty() || packets.heads.empty()) return packets.batches;
+  return {{0, static_cast<std::uint32_t>(packets.heads.size()), false}};
+}
+
 }  // namespace
 
 FeederWords::FeederWords(const facet::PacketStream& packets, int feeder, int feeders)
-    : packets_(packets),
-      feeder_(feeder),
-      feeders_(feeders),
-      stride_(spreading_stride(packets.heads.size())) {
-  find_packet();
+    : packets_(packets), batches_(batches_of(packets)), feeder_(feeder), feeders_(feeders) {
+  begin_batch();
+  settle();
 }
 
-void FeederWords::find_packet() {
-  for (; !done(); next_packet()) {
-    first_row_ = head().lo.y + (feeder_ - head().lo.y % feeders_ + feeders_) % feeders_;
-    if (first_row_ > head().hi.y) continue;
-    rows_ = (head().hi.y - first_row_) / feeders_ + 1;
-    return;
+const facet::PacketHead& FeederWords::head() const {
+  return packets_.heads[batches_[batch_].first + place_];
+}
+
+void FeederWords::begin_batch() {
+  sent_ = place_ = 0;
+  if (!done()) stride_ = spreading_stride(batches_[batch_].count);
+}
+
+void FeederWords::settle() {
+  while (!done()) {
+    if (packets_left()) {
+      first_row_ = head().lo.y + (feeder_ - head().lo.y % feeders_ + feeders_) % feeders_;
+      if (first_row_ <= head().hi.y) {
+        rows_ = (head().hi.y - first_row_) / feeders_ + 1;
+        return;
+      }
+      next_packet();
+    } else if (batches_[batch_].ends_object) {
+      return;
+    } else {
+      ++batch_;
+      begin_batch();
+    }
   }
 }
 
 void FeederWords::next_packet() {
   ++sent_;
-  packet_ = (packet_ + stride_) % packets_.heads.size();
+  place_ = (place_ + stride_) % batches_[batch_].count;
 }
 
 Word FeederWords::next() {
-  const facet::PacketHead& head = this->head();
-  const std::uint32_t position = word_++;
-  if (position == 0) {
-    Word word{WordKind::head};
-    word.facet = head.facet;
-    word.z0 = head.lo.z;
-    word.z_span = head.hi.z - head.lo.z;
-    word.skip = {head.lo.x, first_row_ / feeders_};
-    word.take = {head.hi.x - head.lo.x + 1, rows_};
-    word.reach = head.slab.width;
-    return word;
+  if (!packets_left()) {
+    ++batch_;
+    begin_batch();
+    settle();
+    return Word{WordKind::end};
   }
-  if (position == 1) return linear_word(WordKind::slab, head.slab.value);
-  if (position < 2 + head.side_count) {
-    const facet::Side& side = packets_.sides[head.first_side + position - 2];
+  const facet::PacketHead& packet = head();
+  const std::uint32_t position = word_++;
+  if (position == 0) return head_word();
+  if (position == 1) return linear_word(WordKind::slab, packet.slab.value);
+  if (position < 2 + packet.side_count) {
+    const facet::Side& side = packets_.sides[packet.first_side + position - 2];
     Word word = linear_word(WordKind::side, side.value);
     word.reach = side.push;
     return word;
   }
-  const Word word = linear_word(WordKind::gap, head.gap);
+  Word word = linear_word(WordKind::gap, packet.gap);
+  word.facing = packet.facing;
   word_ = 0;
   next_packet();
-  find_packet();
+  settle();
+  return word;
+}
+
+Word FeederWords::head_word() const {
+  const facet::PacketHead& packet = head();
+  Word word{WordKind::head};
+  word.layer = packet.layer;
+  word.facet = packet.facet;
+  word.z0 = packet.lo.z;
+  word.z_span = packet.hi.z - packet.lo.z;
+  word.skip = {packet.lo.x, first_row_ / feeders_};
+  word.take = {packet.hi.x - packet.lo.x + 1, rows_};
+  word.reach = packet.slab.width;
   return word;
 }
 
@@ -73,7 +106,21 @@ Word FeederWords::linear_word(WordKind kind, const facet::Linear& value) const {
 }
 
 double FeederWords::share() const {
-  return static_cast<double>(sent_) / static_cast<double>(packets_.heads.size());
+  const std::size_t gone = done() ? packets_.heads.size() : batches_[batch_].first + sent_;
+  return static_cast<double>(gone) / static_cast<double>(packets_.heads.size());
+}
+
+std::int64_t busiest_feeder_words(const facet::PacketStream& packets, int feeders) {
+  std::vector<std::int64_t> words(static_cast<std::size_t>(feeders));
+  for (const facet::PacketHead& head : packets.heads) {
+    const int rows = std::min(feeders, head.hi.y - head.lo.y + 1);
+    for (int k = 0; k < rows; ++k) {
+      words[static_cast<std::size_t>((head.lo.y + k) % feeders)] += 3 + head.side_count;
+    }
+  }
+  const auto ends = std::count_if(packets.batches.begin(), packets.batches.end(),
+                                  [](const facet::Batch& batch) { return batch.ends_object; });
+  return *std::max_element(words.begin(), words.end()) + ends;
 }
 
 }  // namespace rc2

@@ -57,6 +57,15 @@ struct VoxelRecord {
 /// Occupied voxels sorted by z, then y, then x: the order of every dump.
 using VoxelMemory = std::vector<VoxelRecord>;
 
+/// What a voxel is part of; see facet::Layer.
+struct LayerRecord {
+  glm::ivec3 at;
+  bool armour, shown, inside, thin;
+};
+
+/// Every voxel that is part of any layer, sorted by z, then y, then x.
+using LayerMemory = std::vector<LayerRecord>;
+
 /// Targets that arrived at each occupied voxel, in the order of VoxelMemory.
 using LightMemory = std::vector<std::uint32_t>;
 
@@ -76,6 +85,8 @@ class Machine {
   virtual LightResult light(const LightJob& job, const Progress& progress) = 0;
 
   virtual VoxelMemory read_voxels() = 0;
+
+  virtual LayerMemory read_layers() = 0;
 
   /// What the last light() left behind, in the order of read_voxels().
   virtual LightMemory read_light() = 0;

@@ -4,16 +4,28 @@
 #include <array>
 #include <cstdint>
 
+#include "sw/facet/packet.h"
+
 namespace rc2 {
 
-/// What a word is, numbered as in rtl/rc2_pkg.sv. A packet is a HEAD, a SLAB, its SIDEs and a GAP.
-enum class WordKind : std::uint8_t { head = 0, slab = 1, side = 2, gap = 3, read = 4, data = 5 };
+/// What a word is, numbered as in rtl/rc2_pkg.sv. A packet is a HEAD, a SLAB, its SIDEs and a GAP;
+/// READ, DATA and END, which ends an object, stand alone.
+enum class WordKind : std::uint8_t {
+  head = 0,
+  slab = 1,
+  side = 2,
+  gap = 3,
+  read = 4,
+  data = 5,
+  end = 6
+};
 
 /// The fields called `lead` in rtl stand once for each pipe: [0] the cells of a row, [1] the rows
 /// of a feeder.
 struct Word {
   WordKind kind;
   // HEAD
+  facet::Layer layer = facet::Layer::armour;
   std::uint32_t facet = 0;
   std::int32_t z0 = 0, z_span = 0;
   std::array<std::int32_t, 2> skip{}, take{};
@@ -21,7 +33,8 @@ struct Word {
   // array to the next, and c of c*z + d.
   std::array<std::int64_t, 2> step{};
   std::int64_t c = 0, d = 0;
-  std::int64_t reach = 0;  ///< HEAD: width of the slab; SIDE: push
+  std::int64_t reach = 0;    ///< HEAD: width of the slab; SIDE: push
+  std::uint8_t facing = 13;  ///< GAP
 };
 
 }  // namespace rc2

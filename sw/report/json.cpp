@@ -104,6 +104,8 @@ std::string to_json(const Report& report) {
   json["light_rule"] = report.light_rule;
   json["L"] = report.target_distance;
   json["fa"] = report.fa;
+  json["feeders"] = report.feeders;
+  json["load_words"] = report.load_words;
   json["facets"] = {{"read", report.facets.read},
                     {"triangulated", report.facets.triangulated},
                     {"loaded", report.facets.loaded},

@@ -37,13 +37,14 @@ struct Report {
   std::string scene;  ///< path or generated name
   std::string fit;    ///< "cube" or "none"
   std::string machine, rule, light_rule;
-  int n = 0, fraction_bits = 0, target_distance = 0, fa = 0;
+  int n = 0, fraction_bits = 0, target_distance = 0, fa = 0, feeders = 1;
 
   facet::FacetCounts facets;
   IgnoredCounts ignored;
   LightCounts lights;
   std::int64_t voxels = 0;
   LoadResult load;
+  std::int64_t load_words = 0;  ///< of the busiest row feeder
   std::vector<Source> sources;
 
   std::string reference;  ///< the machine that this one was compared with
@@ -56,12 +57,12 @@ struct Report {
 };
 
 /// The report as JSON, indented, ends with a line feed. Top level: scene, fit, machine, n,
-/// fraction_bits, rule, light_rule, L, fa, facets {read, triangulated, loaded, degenerate,
+/// fraction_bits, rule, light_rule, L, fa, feeders, facets {read, triangulated, loaded, degenerate,
 /// outside}, ignored {primitives, lights, textures}, lights {read, used, outside, default}, cycles
-/// {load, light [per source], home [per source]}, voxels, lit [per source], beams {visits, merged,
-/// max_queue} and targets {total, absorbed, escaped, skipped} over all sources, sources [each with
-/// its own share], agreement {reference, voxels_differing, owners_differing, lights_differing,
-/// first}, seconds, files, commit, tools.
+/// {load, light [per source], home [per source]}, load_words, voxels, lit [per source], beams
+/// {visits, merged, max_queue} and targets {total, absorbed, escaped, skipped} over all sources,
+/// sources [each with its own share], agreement {reference, voxels_differing, owners_differing,
+/// lights_differing, first}, seconds, files, commit, tools.
 std::string to_json(const Report& report);
 
 /// The report as aligned lines of text for a reader who has not seen one before.

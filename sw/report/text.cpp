@@ -69,7 +69,10 @@ void scene_lines(Page& page, const Report& report) {
   page.line("voxels", fmt::format("{} occupied, {:.1f} % of the cube", report.voxels,
                                   100.0 * static_cast<double>(report.voxels) / cube));
   if (report.machine != "golden") {
-    page.line("loading", fmt::format("{} clock cycles", report.load.cycles));
+    page.line("loading",
+              fmt::format("{} clock cycles; {} row feeder{}, {} words through the busiest",
+                          report.load.cycles, report.feeders, report.feeders == 1 ? "" : "s",
+                          report.load_words));
   }
 }
 

@@ -9,21 +9,23 @@
 #include <memory>
 #include <random>
 #include <string>
+#include <tuple>
 
 #include "sim/rtl_machine.h"
 #include "sw/cycle/cycle_machine.h"
 #include "sw/facet/facet.h"
 #include "sw/golden/golden_machine.h"
 #include "sw/scene/scene.h"
+#include "tb/unit/random_packets.h"
 
 namespace rc2 {
 namespace {
 
 const Progress kQuiet = [](const char*, std::int64_t, double) {};
 
-class Random {
+class Dice {
  public:
-  explicit Random(std::uint64_t seed) : engine_(seed) {}
+  explicit Dice(std::uint64_t seed) : engine_(seed) {}
   int in(int low, int high) {
     return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1));
   }
@@ -57,12 +59,22 @@ bool same(const VoxelMemory& a, const VoxelMemory& b) {
                     });
 }
 
+bool same(const LayerMemory& a, const LayerMemory& b) {
+  return std::equal(
+      a.begin(), a.end(), b.begin(), b.end(), [](const LayerRecord& l, const LayerRecord& r) {
+        return std::tie(l.at.x, l.at.y, l.at.z, l.armour, l.shown, l.inside, l.thin) ==
+               std::tie(r.at.x, r.at.y, r.at.z, r.armour, r.shown, r.inside, r.thin);
+      });
+}
+
 void load_everywhere(Machines& machines, const facet::PacketStream& packets) {
   machines.golden.load(packets, kQuiet);
   const LoadResult cycle = machines.cycle.load(packets, kQuiet);
   const LoadResult rtl = machines.rtl->load(packets, kQuiet);
   ASSERT_TRUE(same(machines.rtl->read_voxels(), machines.golden.read_voxels()));
   ASSERT_TRUE(same(machines.cycle.read_voxels(), machines.golden.read_voxels()));
+  ASSERT_TRUE(same(machines.rtl->read_layers(), machines.golden.read_layers()));
+  ASSERT_TRUE(same(machines.cycle.read_layers(), machines.golden.read_layers()));
   ASSERT_EQ(rtl.cycles, cycle.cycles);
 }
 
@@ -82,7 +94,7 @@ void light_everywhere(Machines& machines, const LightJob& job, std::int64_t* cyc
 }
 
 /// A few random triangles and plates: large, small, slivers, edge-on and axis-aligned.
-scene::Scene random_scene(Random& random, int n) {
+scene::Scene random_scene(Dice& random, int n) {
   scene::Scene scene;
   scene.materials.emplace_back();
   const double side = n - 1;
@@ -107,7 +119,7 @@ scene::Scene random_scene(Random& random, int n) {
 }
 
 /// A free voxel: anywhere, in a corner, or beside a surface. False if the cube is full.
-bool pick_source(Random& random, int n, const VoxelMemory& voxels, glm::ivec3& source) {
+bool pick_source(Dice& random, int n, const VoxelMemory& voxels, glm::ivec3& source) {
   const auto free = [&](glm::ivec3 p) {
     return std::none_of(voxels.begin(), voxels.end(),
                         [&](const VoxelRecord& v) { return v.at == p; });
@@ -133,7 +145,7 @@ class RandomScenes : public testing::TestWithParam<std::pair<int, int>> {};
 TEST_P(RandomScenes, AgreeOnAllThreeMachines) {
   const auto [n, scenes] = GetParam();
   Machines& machines = machines_of(n);
-  Random random(static_cast<std::uint64_t>(n));
+  Dice random(static_cast<std::uint64_t>(n));
   constexpr std::array kRules{facet::Rule::armoured, facet::Rule::naive, facet::Rule::supercover,
                               facet::Rule::half, facet::Rule::blindee};
   for (int i = 0; i < scenes; ++i) {
@@ -157,6 +169,24 @@ TEST_P(RandomScenes, AgreeOnAllThreeMachines) {
   }
 }
 
+class RandomPackets : public testing::TestWithParam<int> {};
+
+TEST_P(RandomPackets, LoadTheSameLayersOnAllThreeMachines) {
+  const int n = GetParam();
+  Machines& machines = machines_of(n);
+  std::mt19937 random(static_cast<unsigned>(n));
+  const int f = machines.rtl->config().fraction_bits;
+  for (int round = 0; round < 60; ++round) {
+    SCOPED_TRACE("round " + std::to_string(round));
+    const std::int64_t scale = round % 2 == 0 ? 4 : std::int64_t{1} << (2 * (coordinate_bits(n) + f));
+    const auto packets = random_layers(random, n, pick(random, 1, 25), scale, f);
+    ASSERT_NO_FATAL_FAILURE(load_everywhere(machines, packets));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, RandomPackets, testing::Values(4, 5, 8, 16),
+                         [](const auto& size) { return "n" + std::to_string(size.param); });
+
 INSTANTIATE_TEST_SUITE_P(Sizes, RandomScenes,
                          testing::Values(std::pair{4, 80}, std::pair{5, 60}, std::pair{8, 50},
                                          std::pair{16, 20}),
@@ -172,7 +202,7 @@ TEST_P(RealScenes, AgreeOnAllThreeMachines) {
   const auto facets = facet::build_facets(scene, kN, 4, facet::Rule::armoured);
   ASSERT_GT(facets.packets.heads.size(), 0U);
   ASSERT_NO_FATAL_FAILURE(load_everywhere(machines, facets.packets));
-  Random random(6);
+  Dice random(6);
   for (const auto& [distance, fa] : {std::pair{2 * kN, 16}, std::pair{kN - 1, 1}}) {
     glm::ivec3 source;
     ASSERT_TRUE(pick_source(random, kN, machines.golden.read_voxels(), source));

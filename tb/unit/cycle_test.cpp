@@ -7,12 +7,14 @@
 #include <numeric>
 #include <random>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "sw/cycle/cell.h"
 #include "sw/cycle/cycle_machine.h"
 #include "sw/cycle/splitter.h"
 #include "sw/golden/golden_machine.h"
+#include "tb/unit/random_packets.h"
 
 namespace rc2::cycle {
 namespace {
@@ -22,16 +24,7 @@ using facet::PacketStream;
 using facet::Side;
 using facet::Slab;
 using golden::GoldenMachine;
-using Random = std::mt19937;
 using Trace = std::vector<std::vector<std::uint32_t>>;  // the queues of every cycle
-
-int pick(Random& random, int lowest, int highest) {
-  return std::uniform_int_distribution<int>(lowest, highest)(random);
-}
-
-glm::ivec3 pick_voxel(Random& random, int n) {
-  return {pick(random, 0, n - 1), pick(random, 0, n - 1), pick(random, 0, n - 1)};
-}
 
 glm::ivec3 pick_corner(Random& random, int n) { return pick_voxel(random, 2) * (n - 1); }
 
@@ -39,45 +32,6 @@ MachineConfig machine_config(int n) {
   MachineConfig config;
   config.n = n;
   return config;
-}
-
-void add_packet(PacketStream& stream, std::uint32_t number, glm::ivec3 lo, glm::ivec3 hi,
-                const Slab& slab = {}, const std::vector<Side>& sides = {},
-                const Linear& gap = {}) {
-  stream.heads.push_back({number, lo, hi, slab, gap,
-                          static_cast<std::uint32_t>(stream.sides.size()),
-                          static_cast<std::uint32_t>(sides.size())});
-  stream.sides.insert(stream.sides.end(), sides.begin(), sides.end());
-}
-
-// Boxes cut by slabs and sides of coefficients up to `scale`; the facet numbers do not follow the
-// order.
-PacketStream random_boxes(Random& random, int n, int count, std::int64_t scale) {
-  const auto up_to = [&](std::int64_t largest) {
-    return std::uniform_int_distribution<std::int64_t>(0, largest)(random);
-  };
-  const auto linear = [&](std::int64_t largest) {
-    const auto coefficient = [&] { return up_to(2 * largest) - largest; };
-    Linear value{coefficient(), coefficient(), coefficient(), n * coefficient() / 2};
-    if (pick(random, 0, 3) == 0) value.c = 0;
-    return value;
-  };
-  const std::int64_t side_scale = std::min(scale, std::int64_t{1} << (coordinate_bits(n) + 4));
-  std::vector<std::uint32_t> numbers(static_cast<std::size_t>(count));
-  std::iota(numbers.begin(), numbers.end(), 0);
-  std::shuffle(numbers.begin(), numbers.end(), random);
-  PacketStream stream;
-  for (const std::uint32_t number : numbers) {
-    const glm::ivec3 a = pick_voxel(random, n), b = pick_voxel(random, n);
-    const Slab slab{linear(scale), up_to(3 * scale)};
-    std::vector<Side> sides;
-    for (int k = pick(random, 0, 5); k > 0; --k) {
-      sides.push_back({linear(side_scale), up_to(side_scale)});
-    }
-    add_packet(stream, number, glm::min(a, b), glm::max(a, b), slab, sides,
-               linear(std::int64_t{1} << gap_fraction_bits(n)));
-  }
-  return stream;
 }
 
 PacketStream dust(Random& random, int n, double share) {
@@ -91,19 +45,29 @@ PacketStream dust(Random& random, int n, double share) {
 
 PacketStream random_scene(Random& random, int n) {
   const std::int64_t largest = std::int64_t{1} << (2 * (coordinate_bits(n) + 4));
-  switch (pick(random, 0, 3)) {
+  switch (pick(random, 0, 4)) {
     case 0:
       return dust(random, n, 0.1);
     case 1:
-      return random_boxes(random, n, pick(random, 1, 12), largest);
+      return random_layers(random, n, pick(random, 1, 20), pick(random, 0, 1) == 0 ? 4 : largest);
+    case 2:
+      return random_packets(random, n, pick(random, 1, 12), largest);
     default:
-      return random_boxes(random, n, pick(random, 0, 6), 4);
+      return random_packets(random, n, pick(random, 0, 6), 4);
   }
 }
 
 bool occupied(const VoxelMemory& voxels, glm::ivec3 at) {
   return std::any_of(voxels.begin(), voxels.end(),
                      [&](const VoxelRecord& voxel) { return voxel.at == at; });
+}
+
+bool same_layers(const LayerMemory& a, const LayerMemory& b) {
+  return std::equal(
+      a.begin(), a.end(), b.begin(), b.end(), [](const LayerRecord& l, const LayerRecord& r) {
+        return std::tie(l.at.x, l.at.y, l.at.z, l.armour, l.shown, l.inside, l.thin) ==
+               std::tie(r.at.x, r.at.y, r.at.z, r.armour, r.shown, r.inside, r.thin);
+      });
 }
 
 void expect_same_voxels(Machine& machine, Machine& golden) {
@@ -113,6 +77,7 @@ void expect_same_voxels(Machine& machine, Machine& golden) {
     EXPECT_EQ(ours[i].at, theirs[i].at);
     EXPECT_EQ(ours[i].owner.packed(), theirs[i].owner.packed());
   }
+  EXPECT_TRUE(same_layers(machine.read_layers(), golden.read_layers()));
 }
 
 void expect_same_light(Machine& machine, Machine& golden, const LightJob& job) {
@@ -216,7 +181,7 @@ TEST(CycleMachine, ReportsProgress) {
     EXPECT_LE(share, 1);
     shares[step] = share;
   };
-  machine.load(random_boxes(random, 24, 800, 4), progress);
+  machine.load(random_packets(random, 24, 800, 4), progress);
   machine.load({}, {});
   machine.light({{0, 0, 0}, 400, 1}, progress);
   EXPECT_GT(shares["load"], 0);
@@ -295,7 +260,7 @@ TEST(CycleColumns, KeepTheBestClaimAndEveryTarget) {
     const int z = pick(random, 0, n - 1);
     const Claim claim{static_cast<std::uint32_t>(pick(random, 0, 1000)), pick(random, 0, 1) == 0,
                       pick(random, -3, 3)};
-    columns.fill(column, z, claim);
+    columns.fill(column, z, claim, 13);
     const auto [voxel, first] = expected.try_emplace(z, claim.packed(), 0);
     if (!first) voxel->second.first = std::min(voxel->second.first, claim.packed());
   }
@@ -490,7 +455,7 @@ TEST(CycleLight, DoesNotDependOnTheOrderOfCells) {
     Columns columns(n);
     for (int i = 0; i < n * n * n / 10; ++i) {
       const glm::ivec3 at = pick_voxel(random, n);
-      if (at != job.source) columns.fill(cell_number(at.x, at.y, n), at.z, {});
+      if (at != job.source) columns.fill(cell_number(at.x, at.y, n), at.z, {}, 13);
     }
     const Trace shuffled = run_in_any_order(random, n, columns, job);
     Trace trace;

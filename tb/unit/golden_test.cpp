@@ -6,10 +6,10 @@
 #include <glm/common.hpp>
 #include <limits>
 #include <map>
-#include <random>
 #include <tuple>
 
 #include "sw/golden/golden_machine.h"
+#include "tb/unit/random_packets.h"
 
 namespace rc2::golden {
 namespace {
@@ -31,51 +31,6 @@ MachineConfig machine_config(int n, int max_distance = 64) {
   return config;
 }
 
-void add_packet(PacketStream& stream, std::uint32_t number, glm::ivec3 lo, glm::ivec3 hi,
-                const Slab& slab = {}, const std::vector<Side>& sides = {},
-                const Linear& gap = {}) {
-  stream.heads.push_back({number, lo, hi, slab, gap,
-                          static_cast<std::uint32_t>(stream.sides.size()),
-                          static_cast<std::uint32_t>(sides.size())});
-  stream.sides.insert(stream.sides.end(), sides.begin(), sides.end());
-}
-
-using Random = std::mt19937;
-
-int pick(Random& random, int lowest, int highest) {
-  return std::uniform_int_distribution<int>(lowest, highest)(random);
-}
-
-glm::ivec3 pick_voxel(Random& random, int n) {
-  return {pick(random, 0, n - 1), pick(random, 0, n - 1), pick(random, 0, n - 1)};
-}
-
-// Boxes cut by a slab and a few sides; `scale` is the size of the coefficients.
-PacketStream random_packets(Random& random, int n, int count, std::int64_t scale) {
-  const auto linear = [&](std::int64_t largest) {
-    std::uniform_int_distribution<std::int64_t> coefficient(-largest, largest);
-    Linear value{coefficient(random), coefficient(random), coefficient(random),
-                 n * coefficient(random) / 2};
-    if (pick(random, 0, 3) == 0) value.c = 0;
-    return value;
-  };
-  const std::int64_t side_scale = std::min(scale, std::int64_t{1} << (coordinate_bits(n) + 4));
-  PacketStream stream;
-  for (int i = 0; i < count; ++i) {
-    const glm::ivec3 a = pick_voxel(random, n), b = pick_voxel(random, n);
-    const Slab slab{linear(scale),
-                    std::uniform_int_distribution<std::int64_t>(0, 3 * scale)(random)};
-    std::vector<Side> sides;
-    for (int k = pick(random, 0, 4); k > 0; --k)
-      sides.push_back(
-          {linear(side_scale), std::uniform_int_distribution<std::int64_t>(0, side_scale)(random)});
-    const std::int64_t steepest = std::int64_t{1} << gap_fraction_bits(n);
-    add_packet(stream, static_cast<std::uint32_t>(i), glm::min(a, b), glm::max(a, b), slab, sides,
-               linear(pick(random, 0, 2) == 0 ? 3 : steepest));
-  }
-  return stream;
-}
-
 // Core first, then the nearest plane, then the lowest number. Gaps of the same size in front of and
 // behind a plane are -1 and 0, -2 and 1, ...
 using Rank = std::tuple<bool, int, std::uint32_t>;
@@ -95,33 +50,84 @@ int brute_force_gap(const cpp_int& value, int n) {
 
 using Owners = std::map<Voxel, Claim>;
 
-// Every voxel against every bound of every packet, in unlimited integers.
-Owners brute_force_owners(const PacketStream& stream, int n) {
-  Owners owners;
-  for (const auto& head : stream.heads) {
-    for (int x = head.lo.x; x <= head.hi.x; ++x) {
-      for (int y = head.lo.y; y <= head.hi.y; ++y) {
-        for (int z = head.lo.z; z <= head.hi.z; ++z) {
-          const auto value = [&](const Linear& of) -> cpp_int {
-            return cpp_int(of.a) * (x - head.lo.x) + cpp_int(of.b) * (y - head.lo.y) +
-                   cpp_int(of.c) * (z - head.lo.z) + of.d;
-          };
-          const cpp_int height = value(head.slab.value);
-          bool in = height >= 0 && height <= head.slab.width, core = true;
-          for (std::uint32_t i = 0; i < head.side_count; ++i) {
-            const Side& side = stream.sides[head.first_side + i];
-            in = in && value(side.value) >= 0;
-            core = core && value(side.value) >= side.push;
-          }
-          if (!in) continue;
-          const Claim claim{head.facet, core, brute_force_gap(value(head.gap), n)};
-          const auto [owner, first] = owners.try_emplace({x, y, z}, claim);
-          if (!first && rank(claim) < rank(owner->second)) owner->second = claim;
+cpp_int value_at(const Linear& of, const glm::ivec3& at) {
+  return cpp_int(of.a) * at.x + cpp_int(of.b) * at.y + cpp_int(of.c) * at.z + of.d;
+}
+
+// Calls visit(voxel, core) for every voxel of the packet: each against every bound, in unlimited
+// integers.
+template <typename Visit>
+void for_each_filled(const PacketStream& stream, const facet::PacketHead& head, Visit visit) {
+  glm::ivec3 at;
+  for (at.x = head.lo.x; at.x <= head.hi.x; ++at.x) {
+    for (at.y = head.lo.y; at.y <= head.hi.y; ++at.y) {
+      for (at.z = head.lo.z; at.z <= head.hi.z; ++at.z) {
+        const cpp_int height = value_at(head.slab.value, at - head.lo);
+        bool in = height >= 0 && (head.layer == facet::Layer::inside || height <= head.slab.width);
+        bool core = true;
+        for (std::uint32_t i = 0; i < head.side_count; ++i) {
+          const Side& side = stream.sides[head.first_side + i];
+          const cpp_int value = value_at(side.value, at - head.lo);
+          in = in && value >= 0;
+          core = core && value >= side.push;
         }
+        if (in) visit(at, core);
       }
     }
   }
+}
+
+Owners brute_force_owners(const PacketStream& stream, int n) {
+  Owners owners;
+  for (const auto& head : stream.heads) {
+    if (head.layer != facet::Layer::armour) continue;
+    for_each_filled(stream, head, [&](const glm::ivec3& at, bool core) {
+      const Claim claim{head.facet, core, brute_force_gap(value_at(head.gap, at - head.lo), n)};
+      const auto [owner, first] = owners.try_emplace(key(at), claim);
+      if (!first && rank(claim) < rank(owner->second)) owner->second = claim;
+    });
+  }
   return owners;
+}
+
+struct VoxelLayers {
+  bool shown = false, inside = false, thin = false, parity = false;
+};
+
+// The layers by their definition, batch by batch.
+std::map<Voxel, VoxelLayers> brute_force_layers(const PacketStream& stream, int n,
+                                                const Owners& owners) {
+  std::map<std::uint32_t, int> facing;
+  for (const auto& head : stream.heads)
+    if (head.layer == facet::Layer::armour) facing[head.facet] = head.facing;
+  std::map<Voxel, VoxelLayers> layers;
+  for (const auto& batch : stream.batches) {
+    for (std::uint32_t i = batch.first; i < batch.first + batch.count; ++i) {
+      const facet::PacketHead& head = stream.heads[i];
+      std::map<std::pair<int, int>, int> lowest;  // filled voxel of a column
+      for_each_filled(stream, head, [&](const glm::ivec3& at, bool) {
+        if (head.layer == facet::Layer::shown) layers[key(at)].shown = true;
+        const auto owner = owners.find(key(at));
+        if (head.layer == facet::Layer::thin && owner != owners.end() &&
+            facing[owner->second.facet] == 26 - head.facing)
+          layers[key(at)].thin = true;
+        const auto [low, first] = lowest.try_emplace({at.x, at.y}, at.z);
+        if (!first) low->second = std::min(low->second, at.z);
+      });
+      if (head.layer != facet::Layer::inside) continue;
+      for (const auto& [column, low] : lowest)
+        for (int z = low; z < n; ++z) {
+          bool& parity = layers[{column.first, column.second, z}].parity;
+          parity = !parity;
+        }
+    }
+    if (!batch.ends_object) continue;
+    for (auto& [at, voxel] : layers) {
+      voxel.inside = voxel.inside || voxel.parity;
+      voxel.parity = false;
+    }
+  }
+  return layers;
 }
 
 void expect_owners(GoldenMachine& machine, const Owners& expected) {
@@ -151,6 +157,44 @@ TEST(GoldenLoad, FillsWhatEveryBoundAllows) {
     filled += machine.read_voxels().size();
   }
   EXPECT_GT(filled, 10000U);
+}
+
+TEST(GoldenLoad, KeepsTheLayersByTheirDefinition) {
+  Random random(4);
+  std::int64_t shown = 0, inside = 0, thin = 0;
+  for (int round = 0; round < 300; ++round) {
+    SCOPED_TRACE(testing::Message() << "round " << round);
+    const int n = pick(random, 2, 12);
+    const std::int64_t scale =
+        round % 2 == 0 ? 3 : std::int64_t{1} << (2 * (coordinate_bits(n) + 4));
+    const PacketStream stream = random_layers(random, n, pick(random, 1, 20), scale);
+    GoldenMachine machine(machine_config(n));
+    machine.load(stream, {});
+    const Owners owners = brute_force_owners(stream, n);
+    auto expected = brute_force_layers(stream, n, owners);
+    std::size_t found = 0;
+    for (const LayerRecord& voxel : machine.read_layers()) {
+      const VoxelLayers& want = expected[key(voxel.at)];
+      EXPECT_EQ(voxel.armour, owners.count(key(voxel.at)) > 0);
+      EXPECT_EQ(voxel.shown, want.shown);
+      EXPECT_EQ(voxel.inside, want.inside);
+      EXPECT_EQ(voxel.thin, want.thin);
+      shown += voxel.shown;
+      inside += voxel.inside;
+      thin += voxel.thin;
+      ++found;
+    }
+    for (const auto& [at, owner] : owners) expected.try_emplace(at);
+    const auto any = [&](const auto& entry) {
+      const auto& [at, voxel] = entry;
+      return voxel.shown || voxel.inside || voxel.thin || owners.count(at) > 0;
+    };
+    EXPECT_EQ(found, static_cast<std::size_t>(
+                         std::count_if(expected.begin(), expected.end(), any)));
+  }
+  EXPECT_GT(shown, 3000);
+  EXPECT_GT(inside, 3000);
+  EXPECT_GT(thin, 300);
 }
 
 TEST(GoldenLoad, ListsVoxelsByZThenYThenX) {

@@ -293,6 +293,8 @@ Report sample() {
   report.lights = {3, 2, 1, false};
   report.voxels = 64;
   report.load = {123};
+  report.feeders = 2;
+  report.load_words = 101;
   report.sources = {{{1, 2, 3}, {1, 0.95F, 0.25F}, {50, 60, 70, 8, 2, {98, 15, 80, 3}}, 12},
                     {{4, 5, 6}, {1, 1, 1}, {51, 61, 71, 9, 3, {98, 90, 8, 0}}, 13}};
   report.reference = "golden";
@@ -307,7 +309,7 @@ TEST(ReportJson, HoldsEveryFact) {
   const Json json = Json::parse(to_json(sample()));
   const Json expected = Json::parse(R"({
     "scene": "room", "fit": "none", "machine": "cycle", "n": 8, "fraction_bits": 4,
-    "rule": "armoured", "light_rule": "thesis", "L": 2, "fa": 3,
+    "rule": "armoured", "light_rule": "thesis", "L": 2, "fa": 3, "feeders": 2, "load_words": 101,
     "facets": {"read": 20, "triangulated": 1, "loaded": 19, "degenerate": 1, "outside": 2},
     "ignored": {"primitives": 4, "lights": 5, "textures": 6},
     "lights": {"read": 3, "used": 2, "outside": 1, "default": false},
