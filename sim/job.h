@@ -12,7 +12,8 @@ struct Job {
   facet::FacetSet facets;
 };
 
-/// Reads or generates the scene, fits it if asked to, and builds its facets. Throws Error.
-Job prepare(const SceneOptions& options);
+/// Reads or generates the scene, fits it if asked to, and builds its facets, with all layers
+/// (facet::build_layers) if asked to. Throws Error.
+Job prepare(const SceneOptions& options, bool with_layers = false);
 
 }  // namespace rc2

@@ -98,7 +98,7 @@ class VerilatedMachine final : public Machine {
     send([&](std::size_t k, HostWord& word) {
       if (feeders[k].done()) return false;
       word = HostWord(format_, feeders[k].next());
-      if (++sent % 256 == 0) progress("load", cycle_, feeders[0].share());
+      if (++sent % 256 == 0 && progress) progress("load", cycle_, feeders[0].share());
       return true;
     });
     wait_until_idle();
@@ -136,8 +136,10 @@ class VerilatedMachine final : public Machine {
         throw std::logic_error(
             fmt::format("the light hangs: {} of {} targets came home", home, result.targets.total));
       }
-      progress("light", read_register(kBusyCycles),
-               static_cast<double>(home) / static_cast<double>(result.targets.total));
+      if (progress) {
+        progress("light", read_register(kBusyCycles),
+                 static_cast<double>(home) / static_cast<double>(result.targets.total));
+      }
     } while ((read_register(kStatus) & kStatusBusy) != 0);
     step(2 * config_.n + kBusyDelay);  // the last targets' way home
     result.cycles = read_register(kBusyCycles);

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
+#include <string>
 
 #include "sim/commands.h"
 #include "sim/job.h"
@@ -15,9 +17,36 @@
 namespace rc2 {
 namespace {
 
-ExitCode voxelize(SceneOptions options) {
+struct VoxelizeOptions : SceneOptions {
+  std::string layers = "one";
+
+  bool all_layers() const { return layers == "all"; }
+};
+
+void print_layers(const facet::FacetSet& facets, const LayerMemory& voxels) {
+  const auto print = [&](const char* name, facet::Layer layer, bool LayerRecord::*mark) {
+    const std::vector<facet::PacketHead>& packets = facets.packets.heads;
+    fmt::print("{:<8} packets       {}\n", name,
+               std::count_if(packets.begin(), packets.end(),
+                             [&](const facet::PacketHead& p) { return p.layer == layer; }));
+    fmt::print("{:<8} voxels        {}\n", name,
+               std::count_if(voxels.begin(), voxels.end(),
+                             [&](const LayerRecord& voxel) { return voxel.*mark; }));
+  };
+  print("armour", facet::Layer::armour, &LayerRecord::armour);
+  print("shown", facet::Layer::shown, &LayerRecord::shown);
+  print("inside", facet::Layer::inside, &LayerRecord::inside);
+  print("thin", facet::Layer::thin, &LayerRecord::thin);
+  fmt::print(
+      "solids                 {}\n"
+      "rooms, nothing inside  {}\n"
+      "open, nothing inside   {}\n",
+      facets.counts.objects_closed, facets.counts.rooms, facets.counts.objects_open);
+}
+
+ExitCode voxelize(VoxelizeOptions options) {
   check_options(options);
-  const Job job = prepare(options);
+  const Job job = prepare(options, options.all_layers());
   Outputs outputs;
   if (!options.dump.empty()) outputs.add_file(options.dump);
 
@@ -27,6 +56,7 @@ ExitCode voxelize(SceneOptions options) {
   const LoadResult load =
       machine->load(job.facets.packets, bar.step("loading on " + options.machine));
   const report::Memories memories{machine->read_voxels(), {}};
+  const LayerMemory layers = options.all_layers() ? machine->read_layers() : LayerMemory();
   bar.wipe();
   report::check_voxels(memories.voxels, options.n, job.facets.facets.size());
   if (!options.dump.empty()) replace_file(options.dump, report::to_csv(memories));
@@ -41,6 +71,7 @@ ExitCode voxelize(SceneOptions options) {
       "voxels occupied        {}\n",
       counts.read, counts.triangulated, counts.degenerate, counts.outside, counts.loaded,
       memories.voxels.size());
+  if (options.all_layers()) print_layers(job.facets, layers);
   if (options.machine != "golden") fmt::print("clock cycles           {}\n", load.cycles);
   outputs.keep();
   return kDone;
@@ -49,10 +80,15 @@ ExitCode voxelize(SceneOptions options) {
 }  // namespace
 
 void declare_voxelize(CLI::App& program, ExitCode& exit_code) {
-  auto options = std::make_shared<SceneOptions>();
+  auto options = std::make_shared<VoxelizeOptions>();
   auto* command =
       program.add_subcommand("voxelize", "Loads a scene without lighting it and counts its voxels");
   declare_scene_options(*command, *options, "golden");
+  command
+      ->add_option("--layers", options->layers,
+                   "one: what the facets fill; all: also what is shown, inside solids and thin")
+      ->check(CLI::IsMember({"one", "all"}))
+      ->capture_default_str();
   command->callback([options, &exit_code] {
     exit_code = within_memory(options->n, [&] { return voxelize(*options); });
   });

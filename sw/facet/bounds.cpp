@@ -130,6 +130,16 @@ Vertex plane_normal(const Border& border) {
   return normal / (any & -any);
 }
 
+std::uint8_t facing(const Vertex& normal) {
+  const std::int64_t size = std::abs(normal[dominant_axis(normal)]);
+  int code = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const bool is_large = 12 * std::abs(normal[axis]) >= 5 * size;
+    code = 3 * code + (is_large ? (normal[axis] < 0 ? 0 : 2) : 1);
+  }
+  return static_cast<std::uint8_t>(code);
+}
+
 bool append_packet(const Border& border, const Vertex& normal, std::uint32_t facet,
                    const Grid& grid, PacketStream& stream) {
   // Nothing but the thesis's own inequalities may limit its facets: with sigma <= 1 their voxels
@@ -137,6 +147,7 @@ bool append_packet(const Border& border, const Vertex& normal, std::uint32_t fac
   const std::int64_t grow = (grid.rule == Rule::blindee ? 2 : 1) * grid.one, two = 2 * grid.one;
   PacketHead head;
   head.facet = facet;
+  head.facing = facing(normal);
   for (int axis = 0; axis < 3; ++axis) {
     std::int64_t low = border[0][axis], high = low;
     for (const Vertex& vertex : border) {

@@ -16,6 +16,10 @@ struct Grid {
 /// change no voxel, because they cancel in every bound. It fits coefficient_bits(n, f).
 Vertex plane_normal(const Border& border);
 
+/// PacketHead::facing of a normal. A component is large if it is 5/12 of the largest one or more:
+/// between the axis and the diagonal that is half-way in angle, about tan 22.5 degrees.
+std::uint8_t facing(const Vertex& normal);
+
 /// Appends the packet of a planar convex border (thesis 3.9, "initialisation effectuee par le
 /// hote"). Returns false and appends nothing if no voxel of the grid is in its box.
 bool append_packet(const Border& border, const Vertex& normal, std::uint32_t facet,

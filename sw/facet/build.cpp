@@ -1,6 +1,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <optional>
 
 #include "fmt/format.h"
 #include "sw/base/config.h"
@@ -9,14 +10,15 @@
 #include "sw/facet/cube.h"
 #include "sw/facet/facet.h"
 #include "sw/facet/polygon.h"
+#include "sw/facet/traced.h"
 
 namespace rc2::facet {
 namespace {
 
 class Builder {
  public:
-  Builder(const scene::Scene& scene, int n, int fraction_bits, Rule rule)
-      : scene_(scene), grid_{n, std::int64_t{1} << fraction_bits, rule} {}
+  Builder(const scene::Scene& scene, int n, int fraction_bits, Rule rule, Traced* traced)
+      : scene_(scene), grid_{n, std::int64_t{1} << fraction_bits, rule}, traced_(traced) {}
 
   FacetSet build() {
     const std::size_t polygons = scene_.polygon_count(), corners = scene_.vertices.size();
@@ -36,6 +38,7 @@ class Builder {
       ++set_.counts.outside;
       return;
     }
+    if (traced_ != nullptr) trace_polygon();
     clean(border_);
     if (border_.size() < 3) {
       ++set_.counts.degenerate;
@@ -54,6 +57,16 @@ class Builder {
           add_facet(border_, polygon);
       }
     }
+  }
+
+  void trace_polygon() {
+    traced_->corners.insert(traced_->corners.end(), border_.begin(), border_.end());
+    traced_->first.push_back(traced_->corners.size());
+  }
+
+  void trace_piece(const Border& border, const Vertex& normal, std::optional<std::uint32_t> facet) {
+    const auto polygon = static_cast<std::uint32_t>(traced_->polygon_count() - 1);
+    traced_->pieces.push_back({border, normal, polygon, facet});
   }
 
   // Sets border_ to the polygon in vertex units. False if it lies outside the cube.
@@ -91,22 +104,25 @@ class Builder {
                       "simplify the mesh",
                       scene_.name, kMaxFacets));
     const auto number = static_cast<std::uint32_t>(set_.facets.size());
-    if (append_packet(border, normal, number, grid_, set_.packets))
+    const bool has_voxels = append_packet(border, normal, number, grid_, set_.packets);
+    if (has_voxels)
       set_.facets.push_back({glm::normalize(glm::dvec3(normal)), scene_.material[polygon]});
     else
       ++set_.counts.outside;
+    if (traced_ != nullptr)
+      trace_piece(border, normal, has_voxels ? std::optional(number) : std::nullopt);
   }
 
   const scene::Scene& scene_;
   Grid grid_;
+  Traced* traced_;
   FacetSet set_;
   Border border_;
   std::vector<Triangle> triangles_;
 };
 
-}  // namespace
-
-FacetSet build_facets(const scene::Scene& scene, int n, int fraction_bits, Rule rule) {
+FacetSet build_checked(const scene::Scene& scene, int n, int fraction_bits, Rule rule,
+                       Traced* traced) {
   if (n < 2 || n > kMaxSide)
     throw Error(
         fmt::format("--n {}: a cube of that side cannot be built; choose 2 to {}", n, kMaxSide));
@@ -115,7 +131,18 @@ FacetSet build_facets(const scene::Scene& scene, int n, int fraction_bits, Rule 
         fmt::format("--fraction-bits {}: vertices cannot be rounded like that; choose 0 "
                     "to {}",
                     fraction_bits, kMaxFractionBits));
-  return Builder(scene, n, fraction_bits, rule).build();
+  return Builder(scene, n, fraction_bits, rule, traced).build();
+}
+
+}  // namespace
+
+FacetSet build_facets(const scene::Scene& scene, int n, int fraction_bits, Rule rule) {
+  return build_checked(scene, n, fraction_bits, rule, nullptr);
+}
+
+FacetSet build_facets(const scene::Scene& scene, int n, int fraction_bits, Rule rule,
+                      Traced& traced) {
+  return build_checked(scene, n, fraction_bits, rule, &traced);
 }
 
 }  // namespace rc2::facet

@@ -32,6 +32,11 @@ struct FacetCounts {
   std::int64_t loaded = 0;        ///< facets sent to the machine
   std::int64_t degenerate = 0;    ///< facets of no area after quantisation, dropped
   std::int64_t outside = 0;       ///< facets that lie wholly outside the cube, dropped
+
+  // Of build_layers only.
+  std::int64_t objects_closed = 0;  ///< solids, with their cavities: voxels inside are known
+  std::int64_t objects_open = 0;    ///< surfaces that are not closed: nothing inside
+  std::int64_t rooms = 0;           ///< closed surfaces that face inwards, round others: likewise
 };
 
 struct FacetSet {

@@ -25,6 +25,7 @@ std::vector<PlacedNode> place_nodes(const aiNode& root, const glm::dmat4& up) {
     const PlacedNode parent = nodes[i];
     for (unsigned child = 0; child < parent.node->mNumChildren; ++child) {
       const aiNode* node = parent.node->mChildren[child];
+      if (node == nullptr) continue;  // the RAW importer leaves places empty
       nodes.push_back({node, parent.to_scene * matrix(node->mTransformation)});
     }
   }

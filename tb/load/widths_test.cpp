@@ -330,7 +330,7 @@ TEST(Refusal, OfAPacketNamesItsFacet) {
   const int n = config.n, f = config.fraction_bits;
   const Linear flat{0, 0, 0, 0};
   const auto refuses = [&](const PacketHead& head, const Side& side) {
-    PacketStream stream{{head}, {side}};
+    PacketStream stream{{head}, {side}, {}};
     try {
       check_packets(config, stream);
     } catch (const Error& error) {

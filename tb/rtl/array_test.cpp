@@ -14,12 +14,18 @@
 #include "sim/rtl_machine.h"
 #include "sw/cycle/cycle_machine.h"
 #include "sw/facet/facet.h"
+#include "sw/facet/layers.h"
 #include "sw/golden/golden_machine.h"
 #include "sw/scene/scene.h"
+#include "tb/load/dice.h"
+#include "tb/load/machine_check.h"
 #include "tb/unit/random_packets.h"
 
 namespace rc2 {
 namespace {
+
+constexpr std::array kRules{facet::Rule::armoured, facet::Rule::naive, facet::Rule::supercover,
+                            facet::Rule::half, facet::Rule::blindee};
 
 const Progress kQuiet = [](const char*, std::int64_t, double) {};
 
@@ -146,8 +152,6 @@ TEST_P(RandomScenes, AgreeOnAllThreeMachines) {
   const auto [n, scenes] = GetParam();
   Machines& machines = machines_of(n);
   Dice random(static_cast<std::uint64_t>(n));
-  constexpr std::array kRules{facet::Rule::armoured, facet::Rule::naive, facet::Rule::supercover,
-                              facet::Rule::half, facet::Rule::blindee};
   for (int i = 0; i < scenes; ++i) {
     SCOPED_TRACE("scene " + std::to_string(i));
     const int f = random.in(0, machines.rtl->config().fraction_bits);
@@ -169,6 +173,31 @@ TEST_P(RandomScenes, AgreeOnAllThreeMachines) {
   }
 }
 
+class RandomFacets : public testing::TestWithParam<std::pair<int, std::size_t>> {};
+
+// The exact oracle of tb/load, not the golden machine, has the last word here.
+TEST_P(RandomFacets, FillWhatTheOracleSays) {
+  const auto [n, wanted] = GetParam();
+  Machines& machines = machines_of(n);
+  std::size_t facets = 0;
+  for (std::int64_t number = 0; facets < wanted; ++number) {
+    facet::Dice dice(static_cast<std::uint64_t>(n * 100000 + number));
+    const int f = static_cast<int>(dice.roll(0, machines.rtl->config().fraction_bits));
+    const facet::Cube cube{n, f};
+    const auto borders = facet::draw_apart(7, number, cube, 24, n < 8 ? 0 : 2);
+    const auto rule = kRules[static_cast<std::size_t>(number) % kRules.size()];
+    ASSERT_NO_THROW(facet::check_machines({machines.rtl.get(), &machines.cycle, &machines.golden},
+                                          borders, cube, rule))
+        << "load " << number;
+    facets += borders.size();
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, RandomFacets,
+                         testing::Values(std::pair{4, 8000}, std::pair{5, 8000}, std::pair{8, 4000},
+                                         std::pair{16, 1000}),
+                         [](const auto& size) { return "n" + std::to_string(size.param.first); });
+
 class RandomPackets : public testing::TestWithParam<int> {};
 
 TEST_P(RandomPackets, LoadTheSameLayersOnAllThreeMachines) {
@@ -178,7 +207,8 @@ TEST_P(RandomPackets, LoadTheSameLayersOnAllThreeMachines) {
   const int f = machines.rtl->config().fraction_bits;
   for (int round = 0; round < 60; ++round) {
     SCOPED_TRACE("round " + std::to_string(round));
-    const std::int64_t scale = round % 2 == 0 ? 4 : std::int64_t{1} << (2 * (coordinate_bits(n) + f));
+    const std::int64_t scale =
+        round % 2 == 0 ? 4 : std::int64_t{1} << (2 * (coordinate_bits(n) + f));
     const auto packets = random_layers(random, n, pick(random, 1, 25), scale, f);
     ASSERT_NO_FATAL_FAILURE(load_everywhere(machines, packets));
   }
@@ -201,6 +231,7 @@ TEST_P(RealScenes, AgreeOnAllThreeMachines) {
   scene::fit_to_cube(scene, kN);
   const auto facets = facet::build_facets(scene, kN, 4, facet::Rule::armoured);
   ASSERT_GT(facets.packets.heads.size(), 0U);
+  ASSERT_NO_FATAL_FAILURE(load_everywhere(machines, facet::build_layers(scene, kN, 4).packets));
   ASSERT_NO_FATAL_FAILURE(load_everywhere(machines, facets.packets));
   Dice random(6);
   for (const auto& [distance, fa] : {std::pair{2 * kN, 16}, std::pair{kN - 1, 1}}) {

@@ -75,8 +75,8 @@ inline facet::PacketStream random_layers(Random& random, int n, int count, std::
   std::uint32_t first = 0;
   while (first < stream.heads.size()) {
     const auto left = static_cast<int>(stream.heads.size() - first);
-    const auto size = static_cast<std::uint32_t>(
-        first == 0 ? (left + 1) / 2 : pick(random, 1, std::min(left, 5)));
+    const auto size = static_cast<std::uint32_t>(first == 0 ? (left + 1) / 2
+                                                            : pick(random, 1, std::min(left, 5)));
     const auto layer = static_cast<facet::Layer>(first == 0 ? 0 : pick(random, 1, 3));
     for (std::uint32_t i = 0; i < size; ++i) stream.heads[first + i].layer = layer;
     const bool ends = layer == facet::Layer::inside && pick(random, 0, 3) != 0;

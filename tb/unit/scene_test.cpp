@@ -461,5 +461,10 @@ TEST(FitToCube, RefusesWhatHasNoExtent) {
   EXPECT_THROW(fit_to_cube(point, 16), Error);
 }
 
+// Assimp's RAW importer announces more child nodes than it makes.
+TEST(ReadFile, PassesOverNodesThatAreNotThere) {
+  EXPECT_EQ(read_file((kModels / "RAW/WithColor.raw").string()).polygon_count(), 2U);
+}
+
 }  // namespace
 }  // namespace rc2::scene
