@@ -21,6 +21,8 @@ void declare_lines(CLI::App& program, ExitCode& exit_code);
 void declare_tunnels(CLI::App& program, ExitCode& exit_code);
 void declare_leaks(CLI::App& program, ExitCode& exit_code);
 void declare_rounding(CLI::App& program, ExitCode& exit_code);
+void declare_loading(CLI::App& program, ExitCode& exit_code);
+void declare_walk(CLI::App& program, ExitCode& exit_code);
 void declare_network(CLI::App& program, ExitCode& exit_code);
 void declare_thesis(CLI::App& program, ExitCode& exit_code);
 

@@ -39,8 +39,8 @@ ColumnLayers& Columns::layers(std::size_t column) {
 }
 
 const ColumnLayers& Columns::layers(std::size_t column) const {
-  static const ColumnLayers kNone;
-  return layers_.empty() ? kNone : layers_[column];
+  static const ColumnLayers none;
+  return layers_.empty() ? none : layers_[column];
 }
 
 void Columns::darken() {

@@ -1,7 +1,6 @@
 #include "sw/cycle/cycle_machine.h"
 
 #include "sw/cycle/cell.h"
-#include "sw/cycle/load_array.h"
 #include "sw/machine/checks.h"
 
 namespace rc2::cycle {
@@ -12,7 +11,7 @@ CycleMachine::CycleMachine(const MachineConfig& config)
 LoadResult CycleMachine::load(const facet::PacketStream& packets, const Progress& progress) {
   check_packets(config_, packets);
   columns_.clear();
-  return {LoadArray(config_.n, config_.feeders, columns_).run(packets, progress)};
+  return {LoadArray(config_.n, config_.feeders, columns_).run(packets, load_observer_, progress)};
 }
 
 LightResult CycleMachine::light(const LightJob& job, const Progress& progress) {

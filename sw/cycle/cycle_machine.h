@@ -3,6 +3,7 @@
 #pragma once
 
 #include "sw/cycle/light_array.h"
+#include "sw/cycle/load_array.h"
 #include "sw/machine/machine.h"
 
 namespace rc2::cycle {
@@ -30,6 +31,9 @@ class CycleMachine : public Machine {
   /// Calls `observer` in every cycle of every light from now on; none if it is empty.
   void observe(Observer observer) { observer_ = std::move(observer); }
 
+  /// Likewise in every cycle of every load.
+  void observe_load(LoadObserver observer) { load_observer_ = std::move(observer); }
+
  private:
   // visit(voxel, column) of every voxel of the cube, in the order of every dump.
   template <typename Visit>
@@ -41,6 +45,7 @@ class CycleMachine : public Machine {
   Columns columns_;
   LightArray light_array_;
   Observer observer_;
+  LoadObserver load_observer_;
 };
 
 }  // namespace rc2::cycle

@@ -42,14 +42,14 @@ void Dexel::take_head(const Word& word) {
 // c*z + d - push >= 0. A packet of the layer "inside" has no front.
 std::array<Dexel::Bound, 2> Dexel::bounds(const Word& word) const {
   const bool slab = word.kind == WordKind::slab;
-  const auto bound = [](std::int64_t c, std::int64_t e, bool core,
-                        bool none = false) {
+  const auto bound = [](std::int64_t c, std::int64_t e, bool core, bool none = false) {
     const bool lower = c > 0;
     const std::int64_t divisor = std::abs(c);
     return Bound{c == 0, lower, lower ? divisor - 1 - e : e, divisor, core, none};
   };
   return {bound(word.c, word.d, false),
-          slab ? bound(-word.c, width_ - word.d, false, layer_ == facet::Layer::inside) : bound(word.c, word.d - word.reach, true)};
+          slab ? bound(-word.c, width_ - word.d, false, layer_ == facet::Layer::inside)
+               : bound(word.c, word.d - word.reach, true)};
 }
 
 bool Dexel::divides(const Bound& bound) const {

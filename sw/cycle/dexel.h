@@ -24,6 +24,8 @@ class Dexel {
   bool offers(const Word& word) const { return word.kind == WordKind::gap && !outer_.empty(); }
   Span offered(const Word& gap) const;
 
+  bool dividing() const { return dividing_; }
+
  private:
   struct Interval {
     std::int32_t lo, hi;

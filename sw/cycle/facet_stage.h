@@ -18,6 +18,7 @@ class FacetStage {
 
   bool ready() const { return held_ != 2; }
   bool busy() const { return held_ != 0; }
+  int held() const { return static_cast<int>(held_); }
 
   /// The oldest word; only if busy().
   const Word& front() const { return buffer_[first_]; }

@@ -24,6 +24,7 @@ class Fill {
 
   bool ready() const { return !seeking_ && !walking_; }
   bool busy() const { return !ready() || writing_; }
+  bool writing() const { return writing_; }
 
   /// One cycle of the unit of a column. `offered` is a dexel for it, or null; if ready it takes it.
   void step(const Span* offered, Columns& columns, std::size_t column);
@@ -34,8 +35,8 @@ class Fill {
 
   int n_;
   bool seeking_ = false, walking_ = false, writing_ = false;
-  int to_seek_ = 0;    // bits of lo that the gap at lo still lacks
-  Span span_{};        // lo moves up while walking, and gap with it
+  int to_seek_ = 0;  // bits of lo that the gap at lo still lacks
+  Span span_{};      // lo moves up while walking, and gap with it
   // A voxel is written in the cycle after the walk is there.
   int written_z_ = 0;
   Claim written_;

@@ -27,7 +27,8 @@ LoadArray::LoadArray(int n, int feeders, Columns& columns)
   listed_.resize(stages_.size());
 }
 
-std::int64_t LoadArray::run(const facet::PacketStream& packets, const Progress& progress) {
+std::int64_t LoadArray::run(const facet::PacketStream& packets, const LoadObserver& observer,
+                            const Progress& progress) {
   std::vector<FeederWords> host;
   for (std::size_t k = 0; k < feeders_; ++k) {
     host.emplace_back(packets, static_cast<int>(k), static_cast<int>(feeders_));
@@ -38,7 +39,10 @@ std::int64_t LoadArray::run(const facet::PacketStream& packets, const Progress& 
   std::vector<std::uint8_t> taken(feeders_);
   std::int64_t busy_cycles = 0;
   while (!active_.empty() || unsent()) {
-    if (!active_.empty()) ++busy_cycles;
+    if (!active_.empty()) {
+      ++busy_cycles;
+      if (observer) show(observer, busy_cycles);
+    }
     for (std::size_t k = 0; k < feeders_; ++k) {
       taken[k] = !host[k].done() && stages_[k * (n_ + 1)].ready() ? 1 : 0;
     }
@@ -115,6 +119,20 @@ void LoadArray::push(std::size_t stage, const Word& word) {
 
 bool LoadArray::busy(std::size_t stage) const {
   return stages_[stage].busy() || (!is_feeder(stage) && cells_[cell_of(stage)].fill.busy());
+}
+
+StageView LoadArray::view(std::size_t stage) const {
+  const auto y = static_cast<int>(stage / (n_ + 1)), x = static_cast<int>(stage % (n_ + 1)) - 1;
+  const int words = stages_[stage].held();
+  if (is_feeder(stage)) return {x, y, words, false, false};
+  const Cell& cell = cells_[cell_of(stage)];
+  return {x, y, words, cell.dexel.dividing(), cell.fill.writing()};
+}
+
+void LoadArray::show(const LoadObserver& observer, std::int64_t cycle) const {
+  std::vector<StageView> stages;
+  for (const std::size_t stage : active_) stages.push_back(view(stage));
+  observer(cycle, stages);
 }
 
 }  // namespace rc2::cycle

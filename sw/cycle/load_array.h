@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "sw/cycle/column.h"
@@ -13,13 +14,25 @@
 
 namespace rc2::cycle {
 
+/// What a stage of a pipe and the cell beside it are at in one cycle.
+struct StageView {
+  int x, y;   ///< of the cell; x is -1 in a vertical pipe
+  int words;  ///< in its buffer, 0 to 2
+  bool divides, writes;
+};
+
+/// Sees each busy cycle of a load: its number (the first is 1) and the stages that are busy in it,
+/// in any order, as the registers hold them.
+using LoadObserver = std::function<void(std::int64_t cycle, const std::vector<StageView>& stages)>;
+
 class LoadArray {
  public:
   LoadArray(int n, int feeders, Columns& columns);
 
   /// Sends all packets, a word in every cycle in which a feeder takes one, and runs until
   /// everything is at rest. Returns the number of cycles in which anything was busy.
-  std::int64_t run(const facet::PacketStream& packets, const Progress& progress);
+  std::int64_t run(const facet::PacketStream& packets, const LoadObserver& observer,
+                   const Progress& progress);
 
  private:
   struct Cell {
@@ -45,6 +58,8 @@ class LoadArray {
   void step_cell(std::size_t stage, bool here);
   void push(std::size_t stage, const Word& word);
   bool busy(std::size_t stage) const;
+  StageView view(std::size_t stage) const;
+  void show(const LoadObserver& observer, std::int64_t cycle) const;
 
   std::size_t n_, feeders_;
   Columns& columns_;

@@ -28,9 +28,8 @@ class Sides {
   }
 
   bool cancel() const {
-    for (const auto& [side, uses] : uses_)
-      if (uses != 0) return false;
-    return true;
+    return std::all_of(uses_.begin(), uses_.end(),
+                       [](const auto& side) { return side.second == 0; });
   }
 
  private:

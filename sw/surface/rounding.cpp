@@ -63,7 +63,7 @@ facet::PacketStream round_slabs(const facet::PacketStream& exact, const Mesh& me
     Vertex rounded, r;
     for (int axis = 0; axis < 3; ++axis) {
       const Wide scaled = Wide(normal[axis]) * largest;
-      rounded[axis] = floor_divide(2 * scaled + size, 2 * size);
+      rounded[axis] = floor_divide(2 * scaled + size, Wide(2) * size);
       r[axis] = static_cast<std::int64_t>(Wide(rounded[axis]) * size - scaled);
     }
     const Range range = loss(r, head, mesh, rounding);

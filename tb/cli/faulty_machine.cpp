@@ -68,5 +68,6 @@ extern "C" rc2::Machine* rc2_make_verilated_machine(const rc2::WaveWindow& waves
   rc2::MachineConfig config;
   config.n = 8;
   config.max_distance = 32;
+  config.feeders = rc2::default_feeders(config.n);
   return std::make_unique<rc2::FaultyMachine>(config, fault).release();
 }

@@ -181,7 +181,7 @@ TEST_P(RandomFacets, FillWhatTheOracleSays) {
   Machines& machines = machines_of(n);
   std::size_t facets = 0;
   for (std::int64_t number = 0; facets < wanted; ++number) {
-    facet::Dice dice(static_cast<std::uint64_t>(n * 100000 + number));
+    facet::Dice dice(static_cast<std::uint64_t>(100000LL * n + number));
     const int f = static_cast<int>(dice.roll(0, machines.rtl->config().fraction_bits));
     const facet::Cube cube{n, f};
     const auto borders = facet::draw_apart(7, number, cube, 24, n < 8 ? 0 : 2);

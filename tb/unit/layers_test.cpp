@@ -241,7 +241,7 @@ TEST(Layers, FacingKeepsTheSignsOfLargeComponents) {
     Border border;
     for (int i = 0; i < 3; ++i) {
       Vertex v;
-      for (int axis = 0; axis < 3; ++axis) v[axis] = dice() % 16;
+      for (int axis = 0; axis < 3; ++axis) v[axis] = static_cast<std::int64_t>(dice() % 16);
       border.push_back(v);
     }
     const Vertex normal = cross(border[1] - border[0], border[2] - border[0]);

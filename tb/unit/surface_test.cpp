@@ -175,6 +175,7 @@ TEST(Mesh, WeldsWhatRoundingBringsTogether) {
 
 TEST(Mesh, HasTheFacetsOfTheMachine) {
   std::vector<std::pair<Scene, int>> scenes;
+  scenes.reserve(std::size(kMeshFamilies));
   for (const MeshFamily& family : kMeshFamilies)
     scenes.emplace_back(make_mesh(family, 5), family.n);
   for (const char* name : kClosedModels) scenes.emplace_back(closed_model(name), kModelSide);
