@@ -121,7 +121,8 @@ lint: build/build.ninja
 
 sanitize: build-sanitize/build.ninja
 	cmake --build build-sanitize -j $(jobs)
-	@scripts/test build-sanitize
+	@LSAN_OPTIONS=suppressions=$(CURDIR)/scripts/lsan.supp:print_suppressions=0 \
+	  scripts/test build-sanitize
 
 format: setup
 	find sw sim tb -name '*.h' -o -name '*.cpp' | xargs -r clang-format -i

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 
 #include "sim/commands.h"
@@ -64,7 +65,7 @@ Row measure_family(const surface::MeshFamily& family, int meshes, ProgressBar& b
 Row measure_file(const std::string& path) {
   scene::Scene scene = scene::read_file(path);
   scene::fit_to_cube(scene, kFileSide);
-  Row row{path.substr(path.rfind('/') + 1), kFileSide, 1, {}};
+  Row row{std::filesystem::path(path).filename(), kFileSide, 1, {}};
   row.add(surface::find_leaks(scene, kFileSide));
   return row;
 }
@@ -148,7 +149,8 @@ void declare_leaks(CLI::App& program, ExitCode& exit_code) {
   command->add_option("--meshes", options->meshes, "Generated meshes of each kind")
       ->check(CLI::Range(1, 100'000))
       ->capture_default_str();
-  command->add_option("--out", options->out, "Write the table to this CSV file");
+  command->add_option("--out", options->out, "Write the table to this CSV file")
+      ->type_name("FILE.csv");
   command->callback([options, &exit_code] { exit_code = measure_leaks(*options); });
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <numeric>
 
@@ -74,16 +75,9 @@ struct Measured {
   }
 };
 
-std::int64_t words_of(const PacketHead& head) { return 3 + std::int64_t{head.side_count}; }
-
 std::int64_t count_words(const PacketStream& packets) {
   return std::accumulate(packets.heads.begin(), packets.heads.end(), std::int64_t{0},
                          [](auto sum, const auto& head) { return sum + words_of(head); });
-}
-
-std::int64_t busiest_row_words(const PacketStream& packets, int n) {
-  // With a feeder for each row.
-  return busiest_feeder_words(packets, n);
 }
 
 std::int64_t busiest_cell_words(const PacketStream& packets, int n) {
@@ -171,12 +165,13 @@ Measured measure(const std::string& scene, int n, const LoadingOptions& options,
     throw Error(
         fmt::format("{}: no facet is left to load with n = {}; choose another scene", scene, n));
   }
-  const std::string title = fmt::format("{}, n = {}", scene.substr(scene.rfind('/') + 1), n);
-  Measured found{scene.substr(scene.rfind('/') + 1),
+  const std::string name = std::filesystem::path(scene).filename();
+  const std::string title = fmt::format("{}, n = {}", name, n);
+  Measured found{name,
                  n,
                  packets.heads.size(),
                  count_words(packets),
-                 busiest_row_words(packets, n),
+                 busiest_feeder_words(packets, n),  // a feeder for each row
                  busiest_cell_words(packets, n),
                  {},
                  measure_wave(packets, static_cast<std::size_t>(options.sample), n,

@@ -2,20 +2,15 @@
 
 #include <algorithm>
 
+#include "sw/base/floor_divide.h"
 #include "sw/facet/bounds.h"
 
 namespace rc2::facet {
 namespace {
 
-std::int64_t floor_divide(std::int64_t numerator, std::int64_t denominator) {
-  return numerator / denominator - (numerator % denominator < 0 ? 1 : 0);
-}
-
-// direction . (p - through / one) > 0 as a bound for p; see bounds.cpp for points that lie on it.
+// direction . (p - through / one) > 0 as a bound for p.
 Linear half_space(const Vertex& direction, const Vertex& through, std::int64_t one) {
-  const std::int64_t leading =
-      direction.x != 0 ? direction.x : (direction.y != 0 ? direction.y : direction.z);
-  const std::int64_t level = dot(direction, through) + (leading > 0 ? 0 : 1);
+  const std::int64_t level = dot(direction, through) + (keeps_ties(direction) ? 0 : 1);
   return {direction.x, direction.y, direction.z, floor_divide(-level, one)};
 }
 

@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 
 #include "sw/base/config.h"
+#include "sw/base/floor_divide.h"
 
 namespace rc2::facet {
 namespace {
@@ -15,22 +16,12 @@ __extension__ using Wide = __int128;
 // Closed rules keep points that lie exactly on a bound.
 bool is_closed(Rule rule) { return rule != Rule::armoured && rule != Rule::naive; }
 
-template <typename Integer>
-Integer floor_divide(Integer numerator, Integer denominator) {
-  const Integer quotient = numerator / denominator;
-  return quotient - (numerator % denominator < 0 ? 1 : 0);
-}
-
-// The constant of the bound direction . p + numerator / denominator >= 0. Rules that are not closed
-// look at p + (e, e^2, e^3) with e -> 0+: no point is then on a bound, so facets that share a side
-// agree on every voxel. A point on the bound stays if the first nonzero coefficient is positive.
+// The constant of the bound direction . p + numerator / denominator >= 0.
 template <typename Integer>
 std::int64_t bound_constant(const Vertex& direction, Integer numerator, Integer denominator,
                             Rule rule) {
-  const std::int64_t leading =
-      direction.x != 0 ? direction.x : (direction.y != 0 ? direction.y : direction.z);
-  const bool keeps_ties = is_closed(rule) || leading > 0;
-  return static_cast<std::int64_t>(floor_divide(numerator - (keeps_ties ? 0 : 1), denominator));
+  const bool ties = is_closed(rule) || keeps_ties(direction);
+  return static_cast<std::int64_t>(floor_divide<Integer>(numerator - (ties ? 0 : 1), denominator));
 }
 
 struct Fraction {

@@ -21,6 +21,13 @@ inline std::int64_t dot(const Vertex& a, const Vertex& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
+/// Rules that are not closed look at p + (e, e^2, e^3) with e -> 0+: no point is then on a bound,
+/// so facets that share a side agree on every voxel. Whether a point on the bound direction . p >=
+/// d stays: if the first coefficient that is not 0 is positive.
+inline bool keeps_ties(const Vertex& direction) {
+  return (direction.x != 0 ? direction.x : (direction.y != 0 ? direction.y : direction.z)) > 0;
+}
+
 /// Axis of the largest component; z before y before x when equal, because sides projected along z
 /// do not depend on z and cost a cell no division.
 int dominant_axis(const Vertex& normal);

@@ -36,6 +36,8 @@ struct Claim {
   }
 };
 
+inline bool operator==(const Claim& a, const Claim& b) { return a.packed() == b.packed(); }
+
 /// The gap that a fixed-point value stands for: all its fraction bits but the first four fall away,
 /// and so does what a distance of less than two voxels has no need of.
 inline int gap_of(int n, std::int64_t value) {

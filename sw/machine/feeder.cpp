@@ -110,12 +110,16 @@ double FeederWords::share() const {
   return static_cast<double>(gone) / static_cast<double>(packets_.heads.size());
 }
 
+std::int64_t words_of(const facet::PacketHead& packet) {
+  return 3 + std::int64_t{packet.side_count};
+}
+
 std::int64_t busiest_feeder_words(const facet::PacketStream& packets, int feeders) {
   std::vector<std::int64_t> words(static_cast<std::size_t>(feeders));
   for (const facet::PacketHead& head : packets.heads) {
     const int rows = std::min(feeders, head.hi.y - head.lo.y + 1);
     for (int k = 0; k < rows; ++k) {
-      words[static_cast<std::size_t>((head.lo.y + k) % feeders)] += 3 + head.side_count;
+      words[static_cast<std::size_t>((head.lo.y + k) % feeders)] += words_of(head);
     }
   }
   const auto ends = std::count_if(packets.batches.begin(), packets.batches.end(),

@@ -49,6 +49,9 @@ class FeederWords {
   int first_row_ = 0, rows_ = 0;
 };
 
+/// Words of a packet: HEAD, SLAB, its SIDEs, GAP.
+std::int64_t words_of(const facet::PacketHead& packet);
+
 /// Words of the feeder that has most: no machine loads the packets in fewer cycles.
 std::int64_t busiest_feeder_words(const facet::PacketStream& packets, int feeders);
 

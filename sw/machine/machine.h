@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "sw/base/config.h"
@@ -54,6 +55,10 @@ struct VoxelRecord {
   Claim owner;
 };
 
+inline bool operator==(const VoxelRecord& a, const VoxelRecord& b) {
+  return a.at == b.at && a.owner == b.owner;
+}
+
 /// Occupied voxels sorted by z, then y, then x: the order of every dump.
 using VoxelMemory = std::vector<VoxelRecord>;
 
@@ -62,6 +67,11 @@ struct LayerRecord {
   glm::ivec3 at;
   bool armour, shown, inside, thin;
 };
+
+inline bool operator==(const LayerRecord& a, const LayerRecord& b) {
+  return std::tie(a.at.x, a.at.y, a.at.z, a.armour, a.shown, a.inside, a.thin) ==
+         std::tie(b.at.x, b.at.y, b.at.z, b.armour, b.shown, b.inside, b.thin);
+}
 
 /// Every voxel that is part of any layer, sorted by z, then y, then x.
 using LayerMemory = std::vector<LayerRecord>;

@@ -3,14 +3,16 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "sw/base/floor_divide.h"
+
 namespace rc2::surface {
 namespace {
 
 __extension__ using Wide = __int128;
 using facet::Vertex;
 
-std::int64_t floor_divide(Wide numerator, Wide denominator) {
-  return static_cast<std::int64_t>(numerator / denominator - (numerator % denominator < 0 ? 1 : 0));
+std::int64_t quotient(Wide numerator, Wide denominator) {
+  return static_cast<std::int64_t>(floor_divide(numerator, denominator));
 }
 
 Wide wide_dot(const Vertex& a, const Vertex& b) {
@@ -39,7 +41,7 @@ Range loss(const Vertex& r, const facet::PacketHead& head, const Mesh& mesh, Rou
     const facet::Border& border = mesh.facets[head.facet];
     Vertex sum(0);
     for (const Vertex& vertex : border) sum += vertex;
-    from_origin = floor_divide(wide_dot(r, sum), Wide(border.size()) << mesh.fraction_bits);
+    from_origin = quotient(wide_dot(r, sum), Wide(border.size()) << mesh.fraction_bits);
   }
   return {from_origin - to_corner, from_origin - to_corner};
 }
@@ -63,13 +65,13 @@ facet::PacketStream round_slabs(const facet::PacketStream& exact, const Mesh& me
     Vertex rounded, r;
     for (int axis = 0; axis < 3; ++axis) {
       const Wide scaled = Wide(normal[axis]) * largest;
-      rounded[axis] = floor_divide(2 * scaled + size, Wide(2) * size);
+      rounded[axis] = quotient(2 * scaled + size, Wide(2) * size);
       r[axis] = static_cast<std::int64_t>(Wide(rounded[axis]) * size - scaled);
     }
     const Range range = loss(r, head, mesh, rounding);
     const Wide back = value.d, front = head.slab.width - value.d;
-    value = {rounded.x, rounded.y, rounded.z, floor_divide(back * largest - range.low, size)};
-    head.slab.width = value.d + floor_divide(front * largest + range.high, size);
+    value = {rounded.x, rounded.y, rounded.z, quotient(back * largest - range.low, size)};
+    head.slab.width = value.d + quotient(front * largest + range.high, size);
   }
   return stream;
 }

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 
+#include "sw/base/floor_divide.h"
+
 namespace rc2::surface {
 namespace {
 
 using facet::Vertex;
-
-std::int64_t floor_divide(std::int64_t numerator, std::int64_t denominator) {
-  return numerator / denominator - (numerator % denominator < 0 ? 1 : 0);
-}
 
 std::int64_t ceil_divide(std::int64_t numerator, std::int64_t denominator) {
   return -floor_divide(-numerator, denominator);

@@ -72,10 +72,6 @@ class Expected {
   std::int64_t count_ = 0;
 };
 
-bool same(const VoxelRecord& a, const VoxelRecord& b) {
-  return a.at == b.at && a.owner.packed() == b.owner.packed();
-}
-
 // Whether the gap is the voxel centre's distance from the plane in sixteenths of a voxel, rounded
 // down from at most 3/8 beside the truth.
 bool is_gap(int gap, const Border& border, const Cube& cube, const glm::ivec3& at) {
@@ -120,8 +116,7 @@ std::int64_t check_machines(const std::vector<Machine*>& machines,
     machine->load(set.packets, nullptr);
     const VoxelMemory its = machine->read_voxels();
     if (machine == machines.front()) voxels = its;
-    if (!std::equal(voxels.begin(), voxels.end(), its.begin(), its.end(), same))
-      throw Difference("two machines differ");
+    if (!(its == voxels)) throw Difference("two machines differ");
   }
 
   // The host numbers only the facets that it loads.

@@ -9,7 +9,6 @@
 #include <memory>
 #include <random>
 #include <string>
-#include <tuple>
 
 #include "sim/rtl_machine.h"
 #include "sw/cycle/cycle_machine.h"
@@ -29,18 +28,13 @@ constexpr std::array kRules{facet::Rule::armoured, facet::Rule::naive, facet::Ru
 
 const Progress kQuiet = [](const char*, std::int64_t, double) {};
 
-class Dice {
- public:
-  explicit Dice(std::uint64_t seed) : engine_(seed) {}
-  int in(int low, int high) {
-    return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1));
-  }
-  double real(double low, double high) { return low + (high - low) * in(0, 1 << 20) / (1 << 20); }
-  bool chance(int percent) { return in(0, 99) < percent; }
+using facet::Dice;
 
- private:
-  std::mt19937_64 engine_;
-};
+bool chance(Dice& dice, int percent) { return dice.roll(0, 99) < percent; }
+double real(Dice& dice, double low, double high) {
+  return low + (high - low) * static_cast<double>(dice.roll(0, 1 << 20)) / (1 << 20);
+}
+int roll(Dice& dice, int low, int high) { return static_cast<int>(dice.roll(low, high)); }
 
 /// The three machines of one size. The Verilated one is made once and used by every test.
 struct Machines {
@@ -58,29 +52,14 @@ Machines& machines_of(int n) {
   return *machines;
 }
 
-bool same(const VoxelMemory& a, const VoxelMemory& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const VoxelRecord& l, const VoxelRecord& r) {
-                      return l.at == r.at && l.owner.packed() == r.owner.packed();
-                    });
-}
-
-bool same(const LayerMemory& a, const LayerMemory& b) {
-  return std::equal(
-      a.begin(), a.end(), b.begin(), b.end(), [](const LayerRecord& l, const LayerRecord& r) {
-        return std::tie(l.at.x, l.at.y, l.at.z, l.armour, l.shown, l.inside, l.thin) ==
-               std::tie(r.at.x, r.at.y, r.at.z, r.armour, r.shown, r.inside, r.thin);
-      });
-}
-
 void load_everywhere(Machines& machines, const facet::PacketStream& packets) {
   machines.golden.load(packets, kQuiet);
   const LoadResult cycle = machines.cycle.load(packets, kQuiet);
   const LoadResult rtl = machines.rtl->load(packets, kQuiet);
-  ASSERT_TRUE(same(machines.rtl->read_voxels(), machines.golden.read_voxels()));
-  ASSERT_TRUE(same(machines.cycle.read_voxels(), machines.golden.read_voxels()));
-  ASSERT_TRUE(same(machines.rtl->read_layers(), machines.golden.read_layers()));
-  ASSERT_TRUE(same(machines.cycle.read_layers(), machines.golden.read_layers()));
+  ASSERT_TRUE(machines.rtl->read_voxels() == machines.golden.read_voxels());
+  ASSERT_TRUE(machines.cycle.read_voxels() == machines.golden.read_voxels());
+  ASSERT_TRUE(machines.rtl->read_layers() == machines.golden.read_layers());
+  ASSERT_TRUE(machines.cycle.read_layers() == machines.golden.read_layers());
   ASSERT_EQ(rtl.cycles, cycle.cycles);
 }
 
@@ -100,20 +79,19 @@ void light_everywhere(Machines& machines, const LightJob& job, std::int64_t* cyc
 }
 
 /// A few random triangles and plates: large, small, slivers, edge-on and axis-aligned.
-scene::Scene random_scene(Dice& random, int n) {
+scene::Scene random_scene(Dice& dice, int n) {
   scene::Scene scene;
   scene.materials.emplace_back();
   const double side = n - 1;
-  const int polygons = random.in(0, 8);
+  const int polygons = roll(dice, 0, 8);
   for (int i = 0; i < polygons; ++i) {
-    glm::dvec3 corner(random.real(0, side), random.real(0, side), random.real(0, side));
-    if (random.chance(30)) corner = glm::round(corner * 2.0) * 0.5;
-    const double reach = random.chance(50) ? side : 2.0;
+    glm::dvec3 corner(real(dice, 0, side), real(dice, 0, side), real(dice, 0, side));
+    if (chance(dice, 30)) corner = glm::round(corner * 2.0) * 0.5;
+    const double reach = chance(dice, 50) ? side : 2.0;
     const auto edge = [&] {
-      glm::dvec3 e(random.real(-reach, reach), random.real(-reach, reach),
-                   random.real(-reach, reach));
-      if (random.chance(30)) e[random.in(0, 2)] = 0;
-      if (random.chance(20)) e *= 0.02;
+      glm::dvec3 e(real(dice, -reach, reach), real(dice, -reach, reach), real(dice, -reach, reach));
+      if (chance(dice, 30)) e[roll(dice, 0, 2)] = 0;
+      if (chance(dice, 20)) e *= 0.02;
       return e;
     };
     const auto inside = [&](glm::dvec3 p) { return glm::clamp(p, 0.0, side); };
@@ -125,18 +103,18 @@ scene::Scene random_scene(Dice& random, int n) {
 }
 
 /// A free voxel: anywhere, in a corner, or beside a surface. False if the cube is full.
-bool pick_source(Dice& random, int n, const VoxelMemory& voxels, glm::ivec3& source) {
+bool pick_source(Dice& dice, int n, const VoxelMemory& voxels, glm::ivec3& source) {
   const auto free = [&](glm::ivec3 p) {
     return std::none_of(voxels.begin(), voxels.end(),
                         [&](const VoxelRecord& v) { return v.at == p; });
   };
-  const int kind = random.in(0, 2);
+  const int kind = roll(dice, 0, 2);
   for (int attempt = 0; attempt < 1000; ++attempt) {
-    glm::ivec3 p(random.in(0, n - 1), random.in(0, n - 1), random.in(0, n - 1));
+    glm::ivec3 p(roll(dice, 0, n - 1), roll(dice, 0, n - 1), roll(dice, 0, n - 1));
     if (kind == 1 && attempt < 8) p = glm::ivec3(p.x % 2, p.y % 2, p.z % 2) * (n - 1);
     if (kind == 2 && !voxels.empty() && attempt < 100) {
-      p = voxels[static_cast<std::size_t>(random.in(0, static_cast<int>(voxels.size()) - 1))].at;
-      p[random.in(0, 2)] += random.chance(50) ? 1 : -1;
+      p = voxels[static_cast<std::size_t>(roll(dice, 0, static_cast<int>(voxels.size()) - 1))].at;
+      p[roll(dice, 0, 2)] += chance(dice, 50) ? 1 : -1;
       p = glm::clamp(p, 0, n - 1);
     }
     if (!free(p)) continue;
@@ -151,18 +129,18 @@ class RandomScenes : public testing::TestWithParam<std::pair<int, int>> {};
 TEST_P(RandomScenes, AgreeOnAllThreeMachines) {
   const auto [n, scenes] = GetParam();
   Machines& machines = machines_of(n);
-  Dice random(static_cast<std::uint64_t>(n));
+  Dice dice(static_cast<std::uint64_t>(n));
   for (int i = 0; i < scenes; ++i) {
     SCOPED_TRACE("scene " + std::to_string(i));
-    const int f = random.in(0, machines.rtl->config().fraction_bits);
-    const auto rule = kRules[static_cast<std::size_t>(random.in(0, 4))];
-    const auto facets = facet::build_facets(random_scene(random, n), n, f, rule);
+    const int f = roll(dice, 0, machines.rtl->config().fraction_bits);
+    const auto rule = kRules[static_cast<std::size_t>(roll(dice, 0, 4))];
+    const auto facets = facet::build_facets(random_scene(dice, n), n, f, rule);
     ASSERT_NO_FATAL_FAILURE(load_everywhere(machines, facets.packets));
     glm::ivec3 source;
     for (int light = 0; light < 2; ++light) {
-      if (!pick_source(random, n, machines.golden.read_voxels(), source)) continue;
-      const int fa = random.chance(30) ? 1 : random.in(1, 32);
-      const LightJob job{source, random.in(1, 4 * n), fa};
+      if (!pick_source(dice, n, machines.golden.read_voxels(), source)) continue;
+      const int fa = chance(dice, 30) ? 1 : roll(dice, 1, 32);
+      const LightJob job{source, roll(dice, 1, 4 * n), fa};
       std::int64_t first = 0;
       ASSERT_NO_FATAL_FAILURE(light_everywhere(machines, job, &first));
       if (light == 0) continue;
@@ -181,7 +159,7 @@ TEST_P(RandomFacets, FillWhatTheOracleSays) {
   Machines& machines = machines_of(n);
   std::size_t facets = 0;
   for (std::int64_t number = 0; facets < wanted; ++number) {
-    facet::Dice dice(static_cast<std::uint64_t>(100000LL * n + number));
+    Dice dice(static_cast<std::uint64_t>(100000LL * n + number));
     const int f = static_cast<int>(dice.roll(0, machines.rtl->config().fraction_bits));
     const facet::Cube cube{n, f};
     const auto borders = facet::draw_apart(7, number, cube, 24, n < 8 ? 0 : 2);
@@ -233,10 +211,10 @@ TEST_P(RealScenes, AgreeOnAllThreeMachines) {
   ASSERT_GT(facets.packets.heads.size(), 0U);
   ASSERT_NO_FATAL_FAILURE(load_everywhere(machines, facet::build_layers(scene, kN, 4).packets));
   ASSERT_NO_FATAL_FAILURE(load_everywhere(machines, facets.packets));
-  Dice random(6);
+  Dice dice(6);
   for (const auto& [distance, fa] : {std::pair{2 * kN, 16}, std::pair{kN - 1, 1}}) {
     glm::ivec3 source;
-    ASSERT_TRUE(pick_source(random, kN, machines.golden.read_voxels(), source));
+    ASSERT_TRUE(pick_source(dice, kN, machines.golden.read_voxels(), source));
     ASSERT_NO_FATAL_FAILURE(light_everywhere(machines, {source, distance, fa}));
   }
 }

@@ -4,41 +4,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
-#include <random>
 #include <tuple>
+
+#include "tb/unit/random_packets.h"
 
 namespace rc2 {
 namespace {
 
 using facet::Linear;
 using facet::PacketStream;
-
-PacketStream random_packets(std::mt19937& random, int n, int count) {
-  const auto pick = [&](int low, int high) {
-    return std::uniform_int_distribution<int>(low, high)(random);
-  };
-  const auto linear = [&] {
-    return Linear{pick(-99, 99), pick(-99, 99), pick(-99, 99), pick(-9999, 9999)};
-  };
-  PacketStream stream;
-  for (int i = 0; i < count; ++i) {
-    facet::PacketHead head;
-    head.facet = static_cast<std::uint32_t>(i);
-    for (int axis = 0; axis < 3; ++axis) {
-      head.lo[axis] = pick(0, n - 1);
-      head.hi[axis] = pick(head.lo[axis], n - 1);
-    }
-    head.slab = {linear(), pick(0, 99)};
-    head.gap = linear();
-    head.first_side = static_cast<std::uint32_t>(stream.sides.size());
-    head.side_count = static_cast<std::uint32_t>(pick(0, 5));
-    for (std::uint32_t k = 0; k < head.side_count; ++k)
-      stream.sides.push_back({linear(), pick(0, 99)});
-    stream.heads.push_back(head);
-  }
-  return stream;
-}
 
 // What row `row` sees at its first cell: kind, d there, step, c and reach of each word.
 using Seen =
@@ -58,36 +34,80 @@ Seen expected_at(const PacketStream& stream, const facet::PacketHead& head, int 
   return seen;
 }
 
-TEST(FeederWords, ReachEveryRowOfEveryPacketOnce) {
-  std::mt19937 random(1);
-  for (const int n : {1, 2, 5, 16}) {
+// What one feeder sends, taken apart.
+class Listener {
+ public:
+  Listener(const PacketStream& stream, int feeder, int feeders)
+      : stream_(stream), feeder_(feeder), feeders_(feeders) {
+    for (std::size_t i = 0; i < stream.heads.size(); ++i) places_[stream.heads[i].facet] = i;
+  }
+
+  void hear(const Word& word, std::map<std::pair<std::uint32_t, int>, Seen>& seen) {
+    if (word.kind == WordKind::head) begin(word);
+    if (word.kind == WordKind::end) {
+      ASSERT_FALSE(within_) << "an end in a packet";
+      while (!stream_.batches[batch_].ends_object) ++batch_;
+      ++batch_;
+      return;
+    }
+    ASSERT_TRUE(within_) << "a word without a packet";
+    for (int i = 0; i < head_.take[1]; ++i) {
+      const int row = (head_.skip[1] + i) * feeders_ + feeder_;
+      seen[{head_.facet, row}].emplace_back(word.kind, word.d + word.step[1] * feeders_ * i,
+                                            word.step[0], word.c, word.reach);
+    }
+    within_ = word.kind != WordKind::gap;
+  }
+
+  /// Whether every object that ends was told so.
+  bool is_through() const {
+    return std::none_of(stream_.batches.begin() + static_cast<std::ptrdiff_t>(batch_),
+                        stream_.batches.end(),
+                        [](const facet::Batch& batch) { return batch.ends_object; });
+  }
+
+ private:
+  void begin(const Word& word) {
+    ASSERT_FALSE(within_) << "a packet in a packet";
+    within_ = true;
+    head_ = word;
+    const std::size_t place = places_.at(word.facet);
+    const facet::PacketHead& packet = stream_.heads[place];
+    EXPECT_EQ(word.layer, packet.layer);
+    EXPECT_EQ(word.skip[0], packet.lo.x);
+    EXPECT_EQ(word.skip[0] + word.take[0] - 1, packet.hi.x);
+    EXPECT_EQ(word.z0, packet.lo.z);
+    EXPECT_EQ(word.z0 + word.z_span, packet.hi.z);
+    // Only the end of an object may carry us past its batch.
+    while (place >= stream_.batches[batch_].first + stream_.batches[batch_].count) {
+      ASSERT_FALSE(stream_.batches[batch_].ends_object) << "an object without an end";
+      ++batch_;
+    }
+    EXPECT_GE(place, stream_.batches[batch_].first) << "a batch goes before another has gone";
+  }
+
+  const PacketStream& stream_;
+  int feeder_, feeders_;
+  std::map<std::uint32_t, std::size_t> places_;
+  std::size_t batch_ = 0;
+  bool within_ = false;
+  Word head_{WordKind::head};
+};
+
+TEST(FeederWords, ReachEveryRowOfEveryPacketOnceAndInTheOrderOfBatches) {
+  Random random(1);
+  for (const int n : {2, 5, 16}) {
     for (int feeders = 1; feeders <= n; feeders *= 2) {
       for (const int count : {0, 1, 2, 3, 50}) {
-        const PacketStream stream = random_packets(random, n, count);
+        const PacketStream stream = random_layers(random, n, count, 99);
         std::map<std::pair<std::uint32_t, int>, Seen> seen;  // of facet and row
         std::int64_t busiest = 0;
         for (int k = 0; k < feeders; ++k) {
           FeederWords words(stream, k, feeders);
-          Word head{WordKind::data};
+          Listener listener(stream, k, feeders);
           std::int64_t sent = 0;
-          for (; !words.done(); ++sent) {
-            const Word word = words.next();
-            if (word.kind == WordKind::head) {
-              ASSERT_TRUE(head.kind == WordKind::data) << "a packet in a packet";
-              head = word;
-              const facet::PacketHead& packet = stream.heads[word.facet];
-              EXPECT_EQ(word.skip[0], packet.lo.x);
-              EXPECT_EQ(word.skip[0] + word.take[0] - 1, packet.hi.x);
-              EXPECT_EQ(word.z0, packet.lo.z);
-              EXPECT_EQ(word.z0 + word.z_span, packet.hi.z);
-            }
-            for (int i = 0; i < head.take[1]; ++i) {
-              const int row = (head.skip[1] + i) * feeders + k;
-              seen[{head.facet, row}].emplace_back(word.kind, word.d + word.step[1] * feeders * i,
-                                                   word.step[0], word.c, word.reach);
-            }
-            if (word.kind == WordKind::gap) head.kind = WordKind::data;
-          }
+          for (; !words.done(); ++sent) ASSERT_NO_FATAL_FAILURE(listener.hear(words.next(), seen));
+          EXPECT_TRUE(listener.is_through());
           busiest = std::max(busiest, sent);
         }
         std::size_t rows = 0;
