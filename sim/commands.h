@@ -22,6 +22,7 @@ void declare_tunnels(CLI::App& program, ExitCode& exit_code);
 void declare_leaks(CLI::App& program, ExitCode& exit_code);
 void declare_rounding(CLI::App& program, ExitCode& exit_code);
 void declare_loading(CLI::App& program, ExitCode& exit_code);
+void declare_load_speed(CLI::App& program, ExitCode& exit_code);
 void declare_walk(CLI::App& program, ExitCode& exit_code);
 void declare_network(CLI::App& program, ExitCode& exit_code);
 void declare_thesis(CLI::App& program, ExitCode& exit_code);

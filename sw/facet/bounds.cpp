@@ -1,7 +1,6 @@
 #include "sw/facet/bounds.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <glm/common.hpp>
 
@@ -16,40 +15,29 @@ __extension__ using Wide = __int128;
 // Closed rules keep points that lie exactly on a bound.
 bool is_closed(Rule rule) { return rule != Rule::armoured && rule != Rule::naive; }
 
-// The constant of the bound direction . p + numerator / denominator >= 0.
-template <typename Integer>
-std::int64_t bound_constant(const Vertex& direction, Integer numerator, Integer denominator,
-                            Rule rule) {
-  const bool ties = is_closed(rule) || keeps_ties(direction);
-  return static_cast<std::int64_t>(floor_divide<Integer>(numerator - (ties ? 0 : 1), denominator));
-}
-
-struct Fraction {
-  Wide numerator;
-  std::int64_t denominator;
-};
-
-// Thickness w of the slab |N.(p - V0)| <= w/2 with K and S the largest and the sum of |A|,|B|,|C|.
-Fraction slab_thickness(const Vertex& normal, Rule rule) {
-  std::array<std::int64_t, 3> size{std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)};
-  std::sort(size.begin(), size.end());
-  const auto [small, middle, large] = size;
-  if (rule == Rule::naive || rule == Rule::half) return {large, 1};
-  if (rule != Rule::blindee) return {large + middle + small, 1};
+// floor(F w), w the thickness of the slab |N.(p - V0)| <= w/2, with K and S the largest and the sum
+// of |A|,|B|,|C|.
+std::int64_t slab_thickness(const Vertex& normal, const Grid& grid) {
+  const std::int64_t a = std::abs(normal.x), b = std::abs(normal.y), c = std::abs(normal.z);
+  const std::int64_t sum = a + b + c, large = std::max({a, b, c});
+  if (grid.rule == Rule::naive || grid.rule == Rule::half) return grid.one * large;
+  if (grid.rule != Rule::blindee) return grid.one * sum;
   // Thesis 3.8: w = 2 K sigma = K (1 + r), r the largest min/max over the pairs: middle/large or
   // small/middle.
-  if (Wide(small) * large <= Wide(middle) * middle) return {large + middle, 1};
-  return {Wide(large) * (small + middle), middle};
+  const std::int64_t small = std::min({a, b, c}), middle = sum - large - small;
+  if (Wide(small) * large <= Wide(middle) * middle) return grid.one * (large + middle);
+  return grid.one * large + static_cast<std::int64_t>(Wide(grid.one) * large * small / middle);
 }
 
-// Half the voxel's extent across the side: as an axis step (naive) or as a whole square.
-std::int64_t side_offset(std::int64_t eu, std::int64_t ev, Rule rule) {
+// Half the voxel's extent across a side: as an axis step (naive) or as a whole square.
+std::int64_t side_offset(const Vertex& inwards, Rule rule) {
+  const std::int64_t a = std::abs(inwards.x), b = std::abs(inwards.y), c = std::abs(inwards.z);
   switch (rule) {
     case Rule::naive:
-      return std::max(std::abs(eu), std::abs(ev));
+      return std::max({a, b, c});
     case Rule::armoured:
     case Rule::supercover:
-      return std::abs(eu) + std::abs(ev);
+      return a + b + c;
     default:
       return 0;
   }
@@ -58,52 +46,63 @@ std::int64_t side_offset(std::int64_t eu, std::int64_t ev, Rule rule) {
 class PacketWriter {
  public:
   PacketWriter(const Grid& grid, const Vertex& normal, const glm::ivec3& lo)
-      : grid_(grid), normal_(normal), lo_(lo) {}
+      : grid_(grid), normal_(normal), lo_(lo), axis_(dominant_axis(normal)) {}
 
+  // The floor of F w serves as well as F w: the rest of a bound's numerator is an integer.
   Slab slab(const Vertex& on_plane) const {
-    const Fraction w = slab_thickness(normal_, grid_.rule);
-    const Wide level = Wide(2) * dot(normal_, on_plane) * w.denominator;
-    const Wide reach = grid_.one * w.numerator;
-    const Wide denominator = Wide(2) * grid_.one * w.denominator;
-    const std::int64_t front = bound_constant(-normal_, level + reach, denominator, grid_.rule);
-    const std::int64_t back = bound_constant(normal_, reach - level, denominator, grid_.rule);
+    const std::int64_t level = 2 * dot(normal_, on_plane);
+    const std::int64_t thickness = slab_thickness(normal_, grid_);
+    const std::int64_t front = bound_constant(-normal_, level + thickness);
+    const std::int64_t back = bound_constant(normal_, thickness - level);
     return {from_corner(normal_, back), front + back};
   }
 
   Linear gap(const Vertex& on_plane) const {
-    const std::int64_t unit = std::int64_t{1} << gap_fraction_bits(grid_.n);
-    const std::int64_t size = std::abs(normal_[dominant_axis(normal_)]);
-    const auto rounded = [&](auto numerator, auto denominator) {
-      return static_cast<std::int64_t>(
-          floor_divide(2 * unit * numerator + denominator, 2 * denominator));
+    const std::int64_t unit = std::int64_t{1} << grid_.gap_bits;
+    const auto rounded = [&](std::int64_t numerator, std::int64_t denominator) {
+      return floor_divide(2 * unit * numerator + denominator, 2 * denominator);
     };
-    const Vertex corner = Vertex(lo_) * grid_.one - on_plane;
+    const std::int64_t size = std::abs(normal_[axis_]);
+    const std::int64_t voxel = size * grid_.one;
+    const std::int64_t distance = dot(normal_, Vertex(lo_) * grid_.one - on_plane);
+    // What is beyond whole voxels is less than 2^44, and 2^61 when scaled.
+    const std::int64_t whole = floor_divide(distance, voxel);
     return {rounded(normal_.x, size), rounded(normal_.y, size), rounded(normal_.z, size),
-            rounded(Wide(dot(normal_, corner)), Wide(size) * grid_.one)};
+            unit * whole + rounded(distance - whole * voxel, voxel)};
   }
 
-  // One per side of the border, seen along the axis (N must not be zero there).
-  void add_sides(const Border& border, int axis, std::vector<Side>& sides) const {
-    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-    const std::int64_t sign = normal_[axis] < 0 ? -1 : 1;
-    for (std::size_t i = 0; i < border.size(); ++i) {
-      const Vertex& from = border[i];
-      const Vertex& to = border[i + 1 == border.size() ? 0 : i + 1];
-      const std::int64_t eu = to[u] - from[u], ev = to[v] - from[v];
-      Vertex inwards(0);
-      inwards[u] = -sign * ev;
-      inwards[v] = sign * eu;
-      const std::int64_t level = 2 * sign * (ev * from[u] - eu * from[v]);
-      const std::int64_t reach = grid_.one * side_offset(eu, ev, grid_.rule);
-      const auto constant = [&](std::int64_t numerator) {
-        return bound_constant(inwards, numerator, 2 * grid_.one, grid_.rule);
-      };
-      const std::int64_t pushed = constant(level + reach);
-      sides.push_back({from_corner(inwards, pushed), pushed - constant(level)});
-    }
+  // Seen along the axis of N's largest component; for supercover along every axis but those that
+  // see the plane edge-on.
+  void add_sides(const Border& border, std::vector<Side>& sides) const {
+    if (grid_.rule != Rule::supercover) return add_sides(border, axis_, sides);
+    for (int axis = 0; axis < 3; ++axis)
+      if (normal_[axis] != 0) add_sides(border, axis, sides);
   }
 
  private:
+  // One per side of the border; inwards is at right angles to the axis.
+  void add_sides(const Border& border, int axis, std::vector<Side>& sides) const {
+    Vertex along(0);
+    along[axis] = normal_[axis] < 0 ? -1 : 1;
+    const std::size_t first = sides.size();
+    sides.resize(first + border.size());
+    for (std::size_t i = 0; i < border.size(); ++i) {
+      const Vertex& from = border[i];
+      const Vertex& to = border[i + 1 == border.size() ? 0 : i + 1];
+      const Vertex inwards = cross(along, to - from);
+      const std::int64_t level = -2 * dot(inwards, from);
+      const std::int64_t reach = grid_.one * side_offset(inwards, grid_.rule);
+      const std::int64_t pushed = bound_constant(inwards, level + reach);
+      sides[first + i] = {from_corner(inwards, pushed), pushed - bound_constant(inwards, level)};
+    }
+  }
+
+  // The constant of the bound direction . p + numerator / 2F >= 0.
+  std::int64_t bound_constant(const Vertex& direction, std::int64_t numerator) const {
+    const bool ties = is_closed(grid_.rule) || keeps_ties(direction);
+    return grid_.floor_halves(numerator - (ties ? 0 : 1));
+  }
+
   Linear from_corner(const Vertex& a, std::int64_t d) const {
     return {a.x, a.y, a.z, d + dot(a, Vertex(lo_))};
   }
@@ -111,14 +110,16 @@ class PacketWriter {
   const Grid& grid_;
   const Vertex& normal_;
   const glm::ivec3& lo_;
+  int axis_;  // along which the plane is crossed soonest
 };
 
 }  // namespace
 
 Vertex plane_normal(const Border& border) {
   Vertex normal = cross(border[1] - border[0], border[2] - border[1]);
-  const std::int64_t any = normal.x | normal.y | normal.z;
-  return normal / (any & -any);
+  const int shared =
+      __builtin_ctzll(static_cast<unsigned long long>(normal.x | normal.y | normal.z));
+  return normal >> Vertex(shared);
 }
 
 std::uint8_t facing(const Vertex& normal) {
@@ -135,33 +136,32 @@ bool append_packet(const Border& border, const Vertex& normal, std::uint32_t fac
                    const Grid& grid, PacketStream& stream) {
   // Nothing but the thesis's own inequalities may limit its facets: with sigma <= 1 their voxels
   // reach up to a whole voxel beyond the vertices, all others half a voxel.
-  const std::int64_t grow = (grid.rule == Rule::blindee ? 2 : 1) * grid.one, two = 2 * grid.one;
-  PacketHead head;
+  const std::int64_t grow = (grid.rule == Rule::blindee ? 2 : 1) * grid.one;
+  Vertex low = border[0], high = low;
+  for (const Vertex& vertex : border) {
+    low = glm::min(low, vertex);
+    high = glm::max(high, vertex);
+  }
+  glm::ivec3 lo, hi;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::int64_t first = -grid.floor_halves(grow - 2 * low[axis]);
+    const std::int64_t last =
+        grid.floor_halves(2 * high[axis] + grow - (is_closed(grid.rule) ? 0 : 1));
+    lo[axis] = static_cast<int>(std::max<std::int64_t>(0, first));
+    hi[axis] = static_cast<int>(std::min<std::int64_t>(grid.n - 1, last));
+    if (lo[axis] > hi[axis]) return false;
+  }
+  const PacketWriter writer(grid, normal, lo);
+  PacketHead& head = stream.heads.emplace_back();
   head.facet = facet;
   head.facing = facing(normal);
-  for (int axis = 0; axis < 3; ++axis) {
-    std::int64_t low = border[0][axis], high = low;
-    for (const Vertex& vertex : border) {
-      low = std::min(low, vertex[axis]);
-      high = std::max(high, vertex[axis]);
-    }
-    const std::int64_t end = 2 * high + grow - (is_closed(grid.rule) ? 0 : 1);
-    head.lo[axis] = static_cast<int>(std::max<std::int64_t>(0, -floor_divide(grow - 2 * low, two)));
-    head.hi[axis] = static_cast<int>(std::min<std::int64_t>(grid.n - 1, floor_divide(end, two)));
-    if (head.lo[axis] > head.hi[axis]) return false;
-  }
-  const PacketWriter writer(grid, normal, head.lo);
+  head.lo = lo;
+  head.hi = hi;
   head.slab = writer.slab(border[0]);
   head.gap = writer.gap(border[0]);
   head.first_side = static_cast<std::uint32_t>(stream.sides.size());
-  if (grid.rule == Rule::supercover) {
-    for (int axis = 0; axis < 3; ++axis)
-      if (normal[axis] != 0) writer.add_sides(border, axis, stream.sides);
-  } else {
-    writer.add_sides(border, dominant_axis(normal), stream.sides);
-  }
+  writer.add_sides(border, stream.sides);
   head.side_count = static_cast<std::uint32_t>(stream.sides.size()) - head.first_side;
-  stream.heads.push_back(head);
   return true;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sw/base/config.h"
 #include "sw/facet/facet.h"
 #include "sw/facet/polygon.h"
 
@@ -10,6 +11,13 @@ struct Grid {
   int n;             ///< voxels per side
   std::int64_t one;  ///< F = 2^f, vertex units per voxel
   Rule rule;
+
+  // Looked up once and not for every packet.
+  int half_bits = bits_for(2 * one);    ///< 2F = 2^half_bits
+  int gap_bits = gap_fraction_bits(n);  ///< fraction bits of a gap
+
+  /// floor(value / 2F).
+  std::int64_t floor_halves(std::int64_t value) const { return value >> half_bits; }
 };
 
 /// Normal of a planar convex border (thesis 3.6: A, B, C), free of common factors of two: they

@@ -1,5 +1,5 @@
+#include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <optional>
 
@@ -10,6 +10,7 @@
 #include "sw/facet/cube.h"
 #include "sw/facet/facet.h"
 #include "sw/facet/polygon.h"
+#include "sw/facet/reserve_large.h"
 #include "sw/facet/traced.h"
 
 namespace rc2::facet {
@@ -21,11 +22,13 @@ class Builder {
       : scene_(scene), grid_{n, std::int64_t{1} << fraction_bits, rule}, traced_(traced) {}
 
   FacetSet build() {
-    const std::size_t polygons = scene_.polygon_count(), corners = scene_.vertices.size();
-    const std::size_t sides = grid_.rule == Rule::supercover ? 3 * corners : corners;
-    set_.facets.reserve(polygons);
-    set_.packets.heads.reserve(polygons);
-    set_.packets.sides.reserve(sides);
+    const std::size_t polygons = scene_.polygon_count();
+    // If every polygon had to be cut into triangles.
+    const std::size_t most =
+        polygons + std::max(scene_.vertices.size(), 3 * polygons) - 3 * polygons;
+    set_.facets.reserve(most);
+    reserve_large(set_.packets.heads, most);
+    reserve_large(set_.packets.sides, (grid_.rule == Rule::supercover ? 9 : 3) * most);
     for (std::size_t i = 0; i < polygons; ++i) add_polygon(i);
     set_.counts.read = static_cast<std::int64_t>(polygons);
     set_.counts.loaded = static_cast<std::int64_t>(set_.facets.size());
@@ -71,29 +74,51 @@ class Builder {
 
   // Sets border_ to the polygon in vertex units. False if it lies outside the cube.
   bool quantise(std::size_t polygon) {
-    const glm::dvec3* first = scene_.vertices.data() + scene_.first[polygon];
-    const glm::dvec3* last = scene_.vertices.data() + scene_.first[polygon + 1];
-    const auto one = static_cast<double>(grid_.one);
     border_.clear();
-    const glm::dvec3* stray = nullptr;
-    for (const glm::dvec3* p = first; p != last; ++p) {
-      if (!std::isfinite(p->x) || !std::isfinite(p->y) || !std::isfinite(p->z))
+    for (std::uint32_t i = scene_.first[polygon]; i < scene_.first[polygon + 1]; ++i) {
+      const glm::dvec3 raised = scene_.vertices[i] * static_cast<double>(grid_.one) + 0.5;
+      if (!is_in_cube(raised)) {
+        refuse_unless_outside(polygon);
+        return false;
+      }
+      border_.emplace_back(floor_of(raised.x), floor_of(raised.y), floor_of(raised.z));
+    }
+    return true;
+  }
+
+  // Whether the vertex that this is rounded down to is in the cube; not, if it is not finite.
+  bool is_in_cube(const glm::dvec3& raised) const {
+    const std::int64_t least = -(grid_.one / 2), most = grid_.n * grid_.one - (grid_.one + 1) / 2;
+    const auto lowest = static_cast<double>(least), end = static_cast<double>(most + 1);
+    return raised.x >= lowest && raised.y >= lowest && raised.z >= lowest && raised.x < end &&
+           raised.y < end && raised.z < end;
+  }
+
+  // std::floor is a call unless the compiler may use instructions that not every x86 has.
+  static std::int64_t floor_of(double value) {
+    const auto whole = static_cast<std::int64_t>(value);
+    return whole - (static_cast<double>(whole) > value ? 1 : 0);
+  }
+
+  // Of a polygon that has a vertex outside the cube.
+  void refuse_unless_outside(std::size_t polygon) const {
+    const auto corner = [&](std::uint32_t i) { return scene_.vertices.begin() + i; };
+    const std::vector<glm::dvec3> corners(corner(scene_.first[polygon]),
+                                          corner(scene_.first[polygon + 1]));
+    for (const glm::dvec3& p : corners)
+      if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
         throw Error(
             fmt::format("{}: polygon {} has a vertex that is not a finite number; repair "
                         "the mesh",
                         scene_.name, polygon));
-      const glm::dvec3 rounded = glm::floor(*p * one + 0.5);
-      for (int axis = 0; axis < 3; ++axis)
-        if (rounded[axis] < -0.5 * one || rounded[axis] > (grid_.n - 0.5) * one) stray = p;
-      if (stray == nullptr) border_.emplace_back(rounded);
-    }
-    if (stray == nullptr) return true;
-    if (reaches_cube({first, last}, grid_.n))
-      throw Error(
-          fmt::format("{}: polygon {} crosses the border of the cube, its vertex ({}, {}, "
-                      "{}) is not within -0.5 .. {}; use --fit cube or clip the mesh",
-                      scene_.name, polygon, stray->x, stray->y, stray->z, grid_.n - 0.5));
-    return false;
+    if (!reaches_cube(corners, grid_.n)) return;
+    const auto stray = std::find_if(corners.begin(), corners.end(), [&](const glm::dvec3& p) {
+      return !is_in_cube(p * static_cast<double>(grid_.one) + 0.5);
+    });
+    throw Error(
+        fmt::format("{}: polygon {} crosses the border of the cube, its vertex ({}, {}, "
+                    "{}) is not within -0.5 .. {}; use --fit cube or clip the mesh",
+                    scene_.name, polygon, stray->x, stray->y, stray->z, grid_.n - 0.5));
   }
 
   void add_facet(const Border& border, std::size_t polygon) {
@@ -105,10 +130,13 @@ class Builder {
                       scene_.name, kMaxFacets));
     const auto number = static_cast<std::uint32_t>(set_.facets.size());
     const bool has_voxels = append_packet(border, normal, number, grid_, set_.packets);
-    if (has_voxels)
-      set_.facets.push_back({glm::normalize(glm::dvec3(normal)), scene_.material[polygon]});
-    else
+    if (has_voxels) {
+      FacetInfo& info = set_.facets.emplace_back();
+      info.normal = glm::normalize(glm::dvec3(normal));
+      info.material = scene_.material[polygon];
+    } else {
       ++set_.counts.outside;
+    }
     if (traced_ != nullptr)
       trace_piece(border, normal, has_voxels ? std::optional(number) : std::nullopt);
   }

@@ -22,6 +22,7 @@ int dominant_axis(const Vertex& normal) {
 }
 
 void clean(Border& border) {
+  if (border.size() == 3 && !is_collinear(border[0], border[1], border[2])) return;
   std::size_t kept = 0;
   for (const Vertex& vertex : border) {
     while (kept >= 2 && is_collinear(border[kept - 2], border[kept - 1], vertex)) --kept;
@@ -52,13 +53,16 @@ Vertex doubled_area(const Border& border) {
 
 bool is_planar_convex(const Border& border) {
   const std::size_t count = border.size();
+  if (count == 3) return true;
   const Vertex normal = cross(border[1] - border[0], border[2] - border[1]);
+  for (const Vertex& vertex : border)
+    if (dot(normal, vertex - border[0]) != 0) return false;
   const int axis = dominant_axis(normal), u = (axis + 1) % 3, v = (axis + 2) % 3;
   int half_turns = 0;
+  const auto next = [&](std::size_t i) { return i + 1 == count ? 0 : i + 1; };
   for (std::size_t i = 0; i < count; ++i) {
-    const Vertex& here = border[(i + 1) % count];
-    const Vertex before = here - border[i], after = border[(i + 2) % count] - here;
-    if (dot(normal, here - border[0]) != 0) return false;
+    const Vertex& here = border[next(i)];
+    const Vertex before = here - border[i], after = border[next(next(i))] - here;
     const std::int64_t turn = before[u] * after[v] - before[v] * after[u];
     if ((turn > 0) != (normal[axis] > 0)) return false;
     half_turns += is_second_half(before[u], before[v]) != is_second_half(after[u], after[v]);

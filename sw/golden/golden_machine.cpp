@@ -12,8 +12,11 @@ GoldenMachine::GoldenMachine(const MachineConfig& config)
 LoadResult GoldenMachine::load(const facet::PacketStream& packets, const Progress& progress) {
   check_packets(config_, packets);
 
-  grid_.clear();
+  if (grid_holds_ != Holds::nothing) grid_.clear();
+  grid_holds_ = Holds::claims;
   layers_.clear();
+  voxels_.clear();
+  arrived_.clear();
   std::size_t packet = 0;
   for (const facet::Batch& batch : packets.batches) {
     for (; packet < batch.first + batch.count; ++packet) add_packet(packets, packet);
@@ -25,8 +28,6 @@ LoadResult GoldenMachine::load(const facet::PacketStream& packets, const Progres
       progress("load", 0, static_cast<double>(packet) / static_cast<double>(packets.heads.size()));
     }
   }
-  number_voxels();
-  arrived_.assign(voxels_.size(), 0);
   return {};
 }
 
@@ -42,11 +43,13 @@ void GoldenMachine::add_packet(const facet::PacketStream& packets, std::size_t p
 }
 
 void GoldenMachine::number_voxels() {
-  voxels_.clear();
+  if (grid_holds_ != Holds::claims) return;
+  grid_holds_ = Holds::numbers;
   for (glm::ivec3 at{0}; at.z < config_.n; ++at.z) {
     for (at.y = 0; at.y < config_.n; ++at.y) {
+      std::uint32_t* const row = &grid_[grid_.index({0, at.y, at.z})];
       for (at.x = 0; at.x < config_.n; ++at.x) {
-        std::uint32_t& voxel = grid_[grid_.index(at)];
+        std::uint32_t& voxel = row[at.x];
         if (voxel == Grid::kFree) continue;
         voxels_.push_back({at, Claim::unpacked(voxel)});
         voxel = static_cast<std::uint32_t>(voxels_.size() - 1);
@@ -57,6 +60,7 @@ void GoldenMachine::number_voxels() {
 
 LightResult GoldenMachine::light(const LightJob& job, const Progress& progress) {
   check_light(config_, job);
+  number_voxels();
   const std::uint32_t source_voxel = grid_[grid_.index(job.source)];
   if (source_voxel != Grid::kFree) refuse_occupied_source(job, voxels_[source_voxel].owner.facet);
 
@@ -66,6 +70,17 @@ LightResult GoldenMachine::light(const LightJob& job, const Progress& progress) 
   result.visits = diffusion.visits;
   result.targets = diffusion.targets;
   return result;
+}
+
+VoxelMemory GoldenMachine::read_voxels() {
+  number_voxels();
+  return voxels_;
+}
+
+LightMemory GoldenMachine::read_light() {
+  number_voxels();
+  arrived_.resize(voxels_.size());
+  return arrived_;
 }
 
 }  // namespace rc2::golden

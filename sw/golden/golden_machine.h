@@ -23,19 +23,24 @@ class GoldenMachine : public Machine {
   /// 1 .. the machine's maximum.
   LightResult light(const LightJob& job, const Progress& progress) override;
 
-  VoxelMemory read_voxels() override { return voxels_; }
+  VoxelMemory read_voxels() override;
   LayerMemory read_layers() override { return layers_.read(grid_); }
-  LightMemory read_light() override { return arrived_; }
+  LightMemory read_light() override;
 
  private:
   void add_packet(const facet::PacketStream& packets, std::size_t packet);
 
-  // Lists the occupied voxels in the order of every dump and puts into the grid, in place of the
-  // owner's claim, the number of the voxel: where to count the rays that end there.
+  // What occupied voxels of the grid hold: the owner's claim, or the voxel's number in voxels_.
+  enum class Holds { nothing, claims, numbers };
+
+  // Unless that is done, lists the occupied voxels in the order of every dump and puts into the
+  // grid, in place of the owner's claim, the number of the voxel: where to count the rays that end
+  // there. Looks at the whole cube, which would take as long as to load a small scene.
   void number_voxels();
 
   MachineConfig config_;
   Grid grid_;
+  Holds grid_holds_ = Holds::nothing;
   Layers layers_;
   VoxelMemory voxels_;
   LightMemory arrived_;

@@ -13,18 +13,24 @@ namespace rc2::golden {
 struct Interval {
   std::int64_t first, last;
 
-  // Cuts the interval to the z where t + c*z >= 0. The quotients have a numerator that is not
-  // negative, so that C++'s division, which rounds towards zero, rounds down.
+  // Whether t + c*i >= 0 all along it.
+  bool is_within(std::int64_t t, std::int64_t c) const {
+    return t + c * first >= 0 && t + c * last >= 0;
+  }
+
+  // Cuts the interval, which does not go below 0, to the i where t + c*i >= 0. Where it divides,
+  // the numerator is not negative, so that C++'s division, which rounds towards zero, rounds down.
   void clip(std::int64_t t, std::int64_t c) {
     if (first > last) return;
-    const bool holds_at_zero = t >= 0;
+    const bool holds_at_first = t + c * first >= 0;
     const bool holds_at_last = t + c * last >= 0;
-    if (!holds_at_zero && !holds_at_last) {
-      last = -1;
-    } else if (!holds_at_zero) {
-      first = std::max(first, (-t - 1) / c + 1);
-    } else if (!holds_at_last) {
+    if (holds_at_first && holds_at_last) return;
+    if (holds_at_first) {
       last = t / -c;
+    } else if (holds_at_last) {
+      first = (-t - 1) / c + 1;
+    } else {
+      last = first - 1;
     }
   }
 };
@@ -45,17 +51,32 @@ inline std::int64_t value_at(const facet::Linear& value, int x, int y) {
 template <typename Visit>
 void for_each_dexel(const facet::PacketHead& packet, const facet::Side* sides, Visit visit) {
   const glm::ivec3 size = packet.hi - packet.lo;
-  const facet::Slab& slab = packet.slab;
+  const facet::Side* const end = sides + packet.side_count;
+  const facet::Linear& back = packet.slab.value;
+  // Always holds where the slab has no front.
+  const facet::Linear front =
+      packet.layer == facet::Layer::inside
+          ? facet::Linear{0, 0, 0, 0}
+          : facet::Linear{-back.a, -back.b, -back.c, packet.slab.width - back.d};
   for (int y = 0; y <= size.y; ++y) {
-    for (int x = 0; x <= size.x; ++x) {
-      Interval z{0, size.z}, core{0, size.z};
-      const std::int64_t back = value_at(slab.value, x, y);
-      z.clip(back, slab.value.c);
-      if (packet.layer != facet::Layer::inside) z.clip(slab.width - back, -slab.value.c);
-      for (std::uint32_t i = 0; i < packet.side_count && z.first <= z.last; ++i) {
-        const std::int64_t t = value_at(sides[i].value, x, y);
-        z.clip(t, sides[i].value.c);
-        core.clip(t - sides[i].push, sides[i].value.c);
+    // The columns that no bound leaves empty, each taken where it is largest.
+    Interval row{0, size.x};
+    const auto cut_row = [&](const facet::Linear& value) {
+      row.clip(value_at(value, 0, y) + std::max<std::int64_t>(0, value.c * size.z), value.a);
+    };
+    cut_row(back);
+    cut_row(front);
+    for (const facet::Side* side = sides; side != end; ++side) cut_row(side->value);
+    for (int x = static_cast<int>(row.first); x <= row.last; ++x) {
+      Interval z{0, size.z};
+      z.clip(value_at(back, x, y), back.c);
+      z.clip(value_at(front, x, y), front.c);
+      Interval core = z;
+      for (const facet::Side* side = sides; side != end && z.first <= z.last; ++side) {
+        const std::int64_t t = value_at(side->value, x, y), c = side->value.c;
+        if (z.is_within(t - side->push, c)) continue;
+        z.clip(t, c);
+        core.clip(t - side->push, c);
       }
       if (z.first <= z.last) visit(Dexel{x, y, z, core});
     }
