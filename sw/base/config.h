@@ -28,11 +28,9 @@ constexpr int kMaxFractionBits = 8;  ///< largest f, likewise
 constexpr int kFacetBits = 20;       ///< a facet number fits in this many bits
 constexpr int kMaxFacets = 1 << kFacetBits;
 
-/// Bits that hold 0 .. count-1.
+/// Bits that hold 0 .. count-1. Asked for every packet and voxel, so not by a loop.
 constexpr int bits_for(long long count) {
-  int bits = 0;
-  while ((1LL << bits) < count) ++bits;
-  return bits;
+  return count <= 1 ? 0 : 64 - __builtin_clzll(static_cast<unsigned long long>(count - 1));
 }
 
 /// Bits of one coordinate (at least one, as in hardware).

@@ -58,7 +58,7 @@ class PacketWriter {
   }
 
   Linear gap(const Vertex& on_plane) const {
-    const std::int64_t unit = std::int64_t{1} << grid_.gap_bits;
+    const std::int64_t unit = std::int64_t{1} << gap_fraction_bits(grid_.n);
     const auto rounded = [&](std::int64_t numerator, std::int64_t denominator) {
       return floor_divide(2 * unit * numerator + denominator, 2 * denominator);
     };

@@ -12,12 +12,8 @@ struct Grid {
   std::int64_t one;  ///< F = 2^f, vertex units per voxel
   Rule rule;
 
-  // Looked up once and not for every packet.
-  int half_bits = bits_for(2 * one);    ///< 2F = 2^half_bits
-  int gap_bits = gap_fraction_bits(n);  ///< fraction bits of a gap
-
   /// floor(value / 2F).
-  std::int64_t floor_halves(std::int64_t value) const { return value >> half_bits; }
+  std::int64_t floor_halves(std::int64_t value) const { return value >> bits_for(2 * one); }
 };
 
 /// Normal of a planar convex border (thesis 3.6: A, B, C), free of common factors of two: they

@@ -7,23 +7,6 @@
 namespace rc2::golden {
 namespace {
 
-// The claims of one packet. As gap_of(), but looks up a gap's width once and not for every voxel.
-class Claims {
- public:
-  Claims(const facet::PacketHead& packet, int n)
-      : facet_(packet.facet), dropped_(gap_fraction_bits(n) - kGapFractionBits) {}
-
-  std::uint32_t packed(std::int64_t gap, bool core) const {
-    constexpr int kSign = 1 << (kGapBits - 1);
-    const int low = static_cast<int>(gap >> dropped_ & (2 * kSign - 1));
-    return Claim{facet_, core, (low ^ kSign) - kSign}.packed();
-  }
-
- private:
-  std::uint32_t facet_;
-  int dropped_;
-};
-
 // Up to so many voxels it is quicker to look at each than to find out which to look at.
 constexpr int kSmallBox = 256;
 constexpr std::uint32_t kFewSides = 8;
@@ -38,7 +21,7 @@ bool is_small(const facet::PacketHead& packet) {
 void fill_small(Grid& grid, const facet::PacketHead& packet, const facet::Side* sides) {
   const glm::ivec3 size = packet.hi - packet.lo;
   const facet::Slab& slab = packet.slab;
-  const Claims claims(packet, grid.n());
+  const int n = grid.n();
   std::array<std::int64_t, kFewSides> t;
   for (int y = 0; y <= size.y; ++y) {
     for (int x = 0; x <= size.x; ++x) {
@@ -53,8 +36,8 @@ void fill_small(Grid& grid, const facet::PacketHead& packet, const facet::Side* 
           all_core |= t[i] - sides[i].push;
           t[i] += sides[i].value.c;
         }
-        const std::uint32_t claim = claims.packed(gap, all_core >= 0);
-        grid[place] = std::min(grid[place], all >= 0 ? claim : Grid::kFree);
+        const Claim claim{packet.facet, all_core >= 0, gap_of(n, gap)};
+        grid[place] = std::min(grid[place], all >= 0 ? claim.packed() : Grid::kFree);
         back += slab.value.c;
         gap += packet.gap.c;
         place += grid.stride(2);
@@ -70,14 +53,15 @@ void fill_facet(Grid& grid, const facet::PacketHead& packet, const facet::Side* 
     fill_small(grid, packet, sides);
     return;
   }
-  const Claims claims(packet, grid.n());
+  const int n = grid.n();
   for_each_dexel(packet, sides, [&](const Dexel& dexel) {
     const auto& [x, y, z, core] = dexel;
     std::int64_t gap = value_at(packet.gap, x, y) + packet.gap.c * z.first;
     std::ptrdiff_t place = grid.index(packet.lo + glm::ivec3(x, y, z.first));
     for (std::int64_t at = z.first; at <= z.last; ++at) {
       const bool in_core = core.first <= at && at <= core.last;
-      grid[place] = std::min(grid[place], claims.packed(gap, in_core));
+      const Claim claim{packet.facet, in_core, gap_of(n, gap)};
+      grid[place] = std::min(grid[place], claim.packed());
       gap += packet.gap.c;
       place += grid.stride(2);
     }

@@ -17,20 +17,8 @@ bool fits(std::int64_t value, int signed_bits) {
   return -limit <= value && value < limit;
 }
 
-// The widths that packets are checked against, looked up once for all of them.
-struct Widths {
-  explicit Widths(const MachineConfig& config)
-      : plane(plane_bits(config.n, config.fraction_bits)),
-        side(side_bits(config.n, config.fraction_bits)),
-        push(push_bits(config.n, config.fraction_bits)),
-        offset(offset_bits(config.n, config.fraction_bits)),
-        gap(gap_value_bits(config.n)) {}
-
-  int plane, side, push, offset, gap;
-};
-
-void check_packet(const MachineConfig& config, const Widths& widths,
-                  const facet::PacketStream& stream, const facet::PacketHead& packet) {
+void check_packet(const MachineConfig& config, const facet::PacketStream& stream,
+                  const facet::PacketHead& packet) {
   const auto refuse = [&](const char* why) {
     throw Error(
         fmt::format("the packet of facet {} does not fit the machine (n = {}, {} fraction "
@@ -50,6 +38,7 @@ void check_packet(const MachineConfig& config, const Widths& widths,
   if (std::size_t{packet.first_side} + packet.side_count > stream.sides.size()) {
     refuse("its sides are missing");
   }
+  const int n = config.n, f = config.fraction_bits;
   const auto check_linear = [&](const facet::Linear& value, int bits) {
     if (!fits(value.a, bits) || !fits(value.b, bits) || !fits(value.c, bits)) {
       refuse("a coefficient is too large");
@@ -59,24 +48,26 @@ void check_packet(const MachineConfig& config, const Widths& widths,
     const std::int64_t north = value.b * (packet.hi.y - packet.lo.y);
     const std::int64_t lowest = std::min<std::int64_t>(east, 0) + std::min<std::int64_t>(north, 0);
     const std::int64_t highest = std::max<std::int64_t>(east, 0) + std::max<std::int64_t>(north, 0);
-    if (!fits(value.d, widths.offset) || !fits(value.d + lowest, widths.offset) ||
-        !fits(value.d + highest, widths.offset)) {
+    const int offset = offset_bits(n, f);
+    if (!fits(value.d, offset) || !fits(value.d + lowest, offset) ||
+        !fits(value.d + highest, offset)) {
       refuse("an offset is too large");
     }
   };
   const auto check_reach = [&](std::int64_t reach, int bits) {
     if (reach < 0 || reach >> bits != 0) refuse("its slab is too thick or a side pushed too far");
   };
-  check_linear(packet.slab.value, widths.plane);
-  check_reach(packet.slab.width, widths.plane);
+  check_linear(packet.slab.value, plane_bits(n, f));
+  check_reach(packet.slab.width, plane_bits(n, f));
   for (std::uint32_t i = 0; i < packet.side_count; ++i) {
     const facet::Side& side = stream.sides[packet.first_side + i];
-    check_linear(side.value, widths.side);
-    check_reach(side.push, widths.push);
+    check_linear(side.value, side_bits(n, f));
+    check_reach(side.push, push_bits(n, f));
   }
   // A gap may wrap: only what is left of it inside the facet is kept.
-  if (!fits(packet.gap.a, widths.gap) || !fits(packet.gap.b, widths.gap) ||
-      !fits(packet.gap.c, widths.gap) || !fits(packet.gap.d, 48)) {
+  const int steepest = gap_value_bits(n);
+  if (!fits(packet.gap.a, steepest) || !fits(packet.gap.b, steepest) ||
+      !fits(packet.gap.c, steepest) || !fits(packet.gap.d, 48)) {
     refuse("its gap is too large");
   }
 }
@@ -111,10 +102,7 @@ void check_feeders(const char* option, int feeders, int n) {
 }
 
 void check_packets(const MachineConfig& config, const facet::PacketStream& stream) {
-  const Widths widths(config);
-  for (const facet::PacketHead& packet : stream.heads) {
-    check_packet(config, widths, stream, packet);
-  }
+  for (const facet::PacketHead& packet : stream.heads) check_packet(config, stream, packet);
   std::size_t next = 0;
   for (const facet::Batch& batch : stream.batches) {
     if (batch.first != next || batch.count > stream.heads.size() - next) {
