@@ -12,8 +12,11 @@ struct Job {
   facet::FacetSet facets;
 };
 
-/// Reads or generates the scene, fits it if asked to, and builds its facets, with all layers
-/// (facet::build_layers) if asked to. Throws Error.
+/// Reads or generates the scene and fits it if asked to. Throws Error.
+scene::Scene read_scene(const SceneOptions& options);
+
+/// Reads the scene and builds its facets, with all layers (facet::build_layers) if asked to.
+/// Throws Error.
 Job prepare(const SceneOptions& options, bool with_layers = false);
 
 }  // namespace rc2

@@ -31,16 +31,11 @@ struct RoundingOptions {
   std::string out;
 };
 
-// Triangles with corners anywhere in the cube, so few that they rarely overlap.
+// So few that they rarely overlap.
 Scene random_facets(int n, Random& random) {
   Scene scene;
   scene.materials.resize(1);
-  for (int i = 0; i < n / 4; ++i) {
-    std::vector<glm::dvec3> corners(3);
-    for (glm::dvec3& corner : corners)
-      for (int axis = 0; axis < 3; ++axis) corner[axis] = random.between(0, n - 1);
-    scene.add(corners, 0);
-  }
+  scene::add_random_triangles(scene, n / 4, n, random, 0);
   return scene;
 }
 

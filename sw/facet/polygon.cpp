@@ -59,10 +59,9 @@ bool is_planar_convex(const Border& border) {
     if (dot(normal, vertex - border[0]) != 0) return false;
   const int axis = dominant_axis(normal), u = (axis + 1) % 3, v = (axis + 2) % 3;
   int half_turns = 0;
-  const auto next = [&](std::size_t i) { return i + 1 == count ? 0 : i + 1; };
   for (std::size_t i = 0; i < count; ++i) {
-    const Vertex& here = border[next(i)];
-    const Vertex before = here - border[i], after = border[next(next(i))] - here;
+    const Vertex& here = border[(i + 1) % count];
+    const Vertex before = here - border[i], after = border[(i + 2) % count] - here;
     const std::int64_t turn = before[u] * after[v] - before[v] * after[u];
     if ((turn > 0) != (normal[axis] > 0)) return false;
     half_turns += is_second_half(before[u], before[v]) != is_second_half(after[u], after[v]);

@@ -33,13 +33,12 @@ class Remaining {
   }
 
   std::size_t count() const { return corners_.size(); }
-  // i < 2 * count()
-  const Vertex& at(std::size_t i) const { return border_[corners_[i < count() ? i : i - count()]]; }
+  const Vertex& at(std::size_t i) const { return border_[corners_[i % corners_.size()]]; }
   Triangle triangle(std::size_t i) const { return {at(i + count() - 1), at(i), at(i + 1)}; }
   void cut(std::size_t i) { corners_.erase(corners_.begin() + static_cast<std::ptrdiff_t>(i)); }
 
   bool is_ear(std::size_t i) const {
-    const Vertex &a = at(i + count() - 1), &b = at(i), &c = at(i + 1);
+    const auto [a, b, c] = triangle(i);
     if (view_.turn(a, b, c) <= 0) return false;
     for (std::size_t k = i + 2; k < i + count() - 1; ++k) {
       const Vertex& p = at(k);

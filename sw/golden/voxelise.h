@@ -13,11 +13,6 @@ namespace rc2::golden {
 struct Interval {
   std::int64_t first, last;
 
-  // Whether t + c*i >= 0 all along it.
-  bool is_within(std::int64_t t, std::int64_t c) const {
-    return t + c * first >= 0 && t + c * last >= 0;
-  }
-
   // Cuts the interval, which does not go below 0, to the i where t + c*i >= 0. Where it divides,
   // the numerator is not negative, so that C++'s division, which rounds towards zero, rounds down.
   void clip(std::int64_t t, std::int64_t c) {
@@ -74,7 +69,6 @@ void for_each_dexel(const facet::PacketHead& packet, const facet::Side* sides, V
       Interval core = z;
       for (const facet::Side* side = sides; side != end && z.first <= z.last; ++side) {
         const std::int64_t t = value_at(side->value, x, y), c = side->value.c;
-        if (z.is_within(t - side->push, c)) continue;
         z.clip(t, c);
         core.clip(t - side->push, c);
       }

@@ -41,9 +41,9 @@ inline bool operator==(const Claim& a, const Claim& b) { return a.packed() == b.
 /// The gap that a fixed-point value stands for: all its fraction bits but the first four fall away,
 /// and so does what a distance of less than two voxels has no need of.
 inline int gap_of(int n, std::int64_t value) {
+  constexpr int kSign = 1 << (kGapBits - 1);
   const auto bits = static_cast<std::uint64_t>(value) >> (gap_fraction_bits(n) - kGapFractionBits);
-  const int low = static_cast<int>(bits & ((1U << kGapBits) - 1));
-  return low < 1 << (kGapBits - 1) ? low : low - (1 << kGapBits);
+  return (static_cast<int>(bits & (2 * kSign - 1)) ^ kSign) - kSign;
 }
 
 }  // namespace rc2

@@ -98,7 +98,8 @@ class Machine {
 
   virtual LayerMemory read_layers() = 0;
 
-  /// What the last light() left behind, in the order of read_voxels().
+  /// What the last light() since load() left behind, in the order of read_voxels(); zeros if there
+  /// was none.
   virtual LightMemory read_light() = 0;
 };
 

@@ -96,10 +96,10 @@ void add_box(Scene& scene, const Box& box, std::uint32_t material, bool inwards)
 }
 
 void add_sphere(Scene& scene, const glm::dvec3& centre, double radius, double edge,
-                std::uint32_t material) {
+                std::uint32_t material, int max_level) {
   std::vector<Triangle> faces = icosahedron();
   double length = glm::length(faces[0][0] - faces[0][1]) * radius;
-  for (int level = 0; level < kMaxSphereLevel && length > edge * std::sqrt(2.0); ++level) {
+  for (int level = 0; level < max_level && length > edge * std::sqrt(2.0); ++level) {
     faces = split(faces);
     length /= 2.0;
   }
@@ -135,6 +135,15 @@ void add_tetrahedron(Scene& scene, const std::array<glm::dvec3, 4>& corners,
     std::swap(at[1], at[2]);
   constexpr int kSides[4][3] = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
   for (const auto& side : kSides) scene.add({at[side[0]], at[side[1]], at[side[2]]}, material);
+}
+
+void add_random_triangles(Scene& scene, int count, int n, Random& random, std::uint32_t material) {
+  for (int i = 0; i < count; ++i) {
+    std::vector<glm::dvec3> corners(3);
+    for (glm::dvec3& corner : corners)
+      for (int axis = 0; axis < 3; ++axis) corner[axis] = random.between(0, n - 1);
+    scene.add(corners, material);
+  }
 }
 
 glm::dmat3 random_rotation(Random& random) {

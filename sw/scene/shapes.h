@@ -18,12 +18,12 @@ struct Box {
 /// Adds the six sides of a box as quads; inwards turns them to face the middle.
 void add_box(Scene& scene, const Box& box, std::uint32_t material, bool inwards = false);
 
-/// Adds an icosahedron each of whose triangles is split in four until edges are about `edge` long,
-/// at most kMaxSphereLevel times; all vertices lie on the sphere.
-void add_sphere(Scene& scene, const glm::dvec3& centre, double radius, double edge,
-                std::uint32_t material);
-
 constexpr int kMaxSphereLevel = 5;  ///< 20 * 4^5 = 20480 triangles
+
+/// Adds an icosahedron each of whose triangles is split in four until edges are about `edge` long,
+/// at most `max_level` times; all vertices lie on the sphere.
+void add_sphere(Scene& scene, const glm::dvec3& centre, double radius, double edge,
+                std::uint32_t material, int max_level = kMaxSphereLevel);
 
 /// A torus round the third of its axes. `ring` is the radius of the circle that the middle of the
 /// tube follows, `tube` < `ring` the radius of the tube.
@@ -40,6 +40,9 @@ void add_torus(Scene& scene, const Torus& torus, std::uint32_t material);
 /// the finest vertex grid; those in one plane give sides of either orientation.
 void add_tetrahedron(Scene& scene, const std::array<glm::dvec3, 4>& corners,
                      std::uint32_t material);
+
+/// Adds triangles with corners anywhere between the centres of an n-cube's voxels.
+void add_random_triangles(Scene& scene, int count, int n, Random& random, std::uint32_t material);
 
 /// A rotation from all of them, by square roots only: sine and cosine differ between mathematics
 /// libraries.
