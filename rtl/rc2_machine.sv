@@ -10,7 +10,8 @@
 // Registers (32 bits, byte addresses; read-only unless said):
 //   00 id "RC2" and layout version   04 n   08 f   0C LMAX   10 FAMAX
 //   14 bits of a packet word   18 bits of a readback word   1C bits of a facet number
-//   38 row feeders   3C 1 if the columns have layers
+//   34 a byte each, high to low: fraction bits and bits of a gap, bits of a facing, sum of two
+//      opposite facings   38 row feeders   3C 1 if the columns have layers
 //   20 command, write 1: bit 0 forget the voxels, bit 1 start the light (only while idle)
 //   24 status: bit 0 busy, bit 1 all targets are home
 //   28 cycles in which the array was busy since the last command
@@ -157,6 +158,8 @@ module rc2_machine (
         7'h14:   s_axil_rdata <= rc2_pkg::HostWordW;
         7'h18:   s_axil_rdata <= rc2_pkg::DataW;
         7'h1C:   s_axil_rdata <= rc2_pkg::FacetW;
+        7'h34:   s_axil_rdata <= {8'(rc2_pkg::GapFractionW), 8'(rc2_pkg::GapW),
+                                  8'(rc2_pkg::FacingW), 8'(rc2_pkg::OppositeFacings)};
         7'h38:   s_axil_rdata <= rc2_pkg::FEEDERS;
         7'h3C:   s_axil_rdata <= 32'(rc2_pkg::LAYERS);
         7'h24:   s_axil_rdata <= {30'd0, (home_q == targets_q), busy};

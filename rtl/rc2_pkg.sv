@@ -53,8 +53,9 @@ package rc2_pkg;
   localparam int unsigned GapValueW = CoordW + 2 + GapW;
   localparam int unsigned ClaimW = 1 + GapW + FacetW;
   localparam int unsigned LayerW = 2;
-  // Signs of the large components of a normal, 9(x+1) + 3(y+1) + (z+1); the opposite is 26 - it.
+  // Signs of the large components of a normal, 9(x+1) + 3(y+1) + (z+1).
   localparam int unsigned FacingW = 5;
+  localparam int unsigned OppositeFacings = 26;  // the sum of two opposite ones
   // A plane coefficient is twice a projected area: at most (N*2^F)^2, which is reached; and a sign.
   // The slab's width, a sum of three, fits without the sign.
   localparam int unsigned PlaneW = 2 * (CoordW + F) + 2;

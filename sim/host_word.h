@@ -33,6 +33,12 @@ struct WordFormat {
   int packet_bits() const { return kKindBits + 2 * lead + rest; }
   int readback_bits() const { return 2 + coordinate + value; }
 
+  /// What the machine's register of the same name holds: of a claim and of a way to face, a byte
+  /// each.
+  static constexpr std::uint32_t gap_and_facing() {
+    return kGapFractionBits << 24 | kGapBits << 16 | kFacingBits << 8 | kOppositeFacings;
+  }
+
   static constexpr int kKindBits = 3;
   static int home_bits(std::int64_t distance) { return bits_for(24 * distance * distance + 3); }
 };

@@ -31,6 +31,7 @@ enum Register : std::uint8_t {
   kPacketBits = 0x14,
   kReadbackBits = 0x18,
   kFacetNumberBits = 0x1C,
+  kGapAndFacing = 0x34,
   kFeeders = 0x38,
   kLayers = 0x3C,
   kCommand = 0x20,
@@ -74,9 +75,9 @@ class VerilatedMachine final : public Machine {
       : top_(&context_, "rc2"), waves_(waves), config_(reset_and_identify()), format_(config_) {
     if (read_register(kPacketBits) != static_cast<std::uint32_t>(format_.packet_bits()) ||
         read_register(kReadbackBits) != static_cast<std::uint32_t>(format_.readback_bits()) ||
-        read_register(kFacetNumberBits) != kFacetBits) {
-      throw std::logic_error(
-          "rtl/rc2_pkg.sv and sim/host_word.h disagree about the width of a word");
+        read_register(kFacetNumberBits) != kFacetBits ||
+        read_register(kGapAndFacing) != WordFormat::gap_and_facing()) {
+      throw std::logic_error("rtl/rc2_pkg.sv and sim/host_word.h disagree about a word");
     }
   }
 
@@ -107,6 +108,7 @@ class VerilatedMachine final : public Machine {
     for (const Reading& reading : read_back(ReadWhat::voxels)) {
       voxels_.push_back({reading.at, Claim::unpacked(reading.value)});
     }
+    light_.assign(voxels_.size(), 0);
     return result;
   }
 

@@ -65,7 +65,8 @@ module rc2_fill (
   assign show_o = writing_q && (written_layer_q == rc2_pkg::LayerShown);
   assign flip_o = writing_q && (written_layer_q == rc2_pkg::LayerInside);
   assign thin_o = writing_q && (written_layer_q == rc2_pkg::LayerThin) &&
-                  occupied_i[written_z_q] && (32'(written_facing_q) + 32'(read_facing_i) == 26);
+                  occupied_i[written_z_q] &&
+                  (32'(written_facing_q) + 32'(read_facing_i) == rc2_pkg::OppositeFacings);
 
   logic seeks;
   assign seeks = (layer_i == rc2_pkg::LayerArmour) && (lo_i != 0);

@@ -40,6 +40,7 @@ int roll(Dice& dice, int low, int high) { return static_cast<int>(dice.roll(low,
 struct Machines {
   explicit Machines(int n)
       : rtl(make_rtl_machine(n, {})), golden(rtl->config()), cycle(rtl->config()) {}
+  std::array<Machine*, 3> all() { return {rtl.get(), &cycle, &golden}; }
   std::unique_ptr<Machine> rtl;
   golden::GoldenMachine golden;
   cycle::CycleMachine cycle;
@@ -60,6 +61,8 @@ void load_everywhere(Machines& machines, const facet::PacketStream& packets) {
   ASSERT_TRUE(machines.cycle.read_voxels() == machines.golden.read_voxels());
   ASSERT_TRUE(machines.rtl->read_layers() == machines.golden.read_layers());
   ASSERT_TRUE(machines.cycle.read_layers() == machines.golden.read_layers());
+  const LightMemory dark(machines.golden.read_voxels().size(), 0);
+  for (Machine* machine : machines.all()) ASSERT_EQ(machine->read_light(), dark);
   ASSERT_EQ(rtl.cycles, cycle.cycles);
 }
 

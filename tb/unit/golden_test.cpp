@@ -227,9 +227,13 @@ TEST(GoldenLoad, ForgetsWhatWasLoadedBefore) {
   PacketStream stream;
   add_packet(stream, 0, {1, 1, 1}, {2, 2, 2});
   GoldenMachine machine(machine_config(4));
+  const LightMemory dark(8, 0);
   machine.load(stream, {});
+  EXPECT_EQ(machine.read_light(), dark);
   machine.light({{0, 0, 0}, 3, 1}, {});
-  EXPECT_EQ(machine.read_light().size(), 8U);
+  EXPECT_NE(machine.read_light(), dark);
+  machine.load(stream, {});
+  EXPECT_EQ(machine.read_light(), dark);
   machine.load({}, {});
   EXPECT_TRUE(machine.read_voxels().empty());
   EXPECT_TRUE(machine.read_light().empty());
