@@ -23,7 +23,7 @@ using surface::kRoundings;
 using surface::Rounding;
 using surface::RoundingError;
 
-constexpr int kSmallest = 16, kLargest = 512;  // sides
+constexpr int kSmallest = 20, kLargest = 512;  // sides; a sphere fits into the smallest
 
 struct RoundingOptions {
   std::vector<int> sides = {64, 256};

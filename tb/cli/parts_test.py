@@ -34,6 +34,65 @@ class Voxelize(HostTest):
         self.refuse("voxelize", "room", "--n", 8, "--dump", "no/folder.csv", says="no/folder.csv")
 
 
+# A box with every corner between voxel centres: those of 4 to 9 are inside, along z up to `top`.
+def box(top, sides=6):
+    corners = [f"v {x} {y} {z}\n" for z in (3.25, top) for y in (3.25, 9.25) for x in (3.25, 9.25)]
+    quads = ["1 3 4 2", "5 6 8 7", "1 2 6 5", "3 7 8 4", "1 5 7 3", "2 4 8 6"]
+    return "".join(corners + [f"f {quad}\n" for quad in quads[:sides]])
+
+
+class Layers(HostTest):
+    def layers(self, scene, *options):
+        """What is printed, as numbers by name."""
+        text = self.succeed("voxelize", scene, "--n", 16, *options)
+        counts = (line.rsplit(None, 1) for line in text.splitlines())
+        return {" ".join(name.split()): int(count) for name, count in counts}
+
+    def test_both_machines_have_the_same_layers(self):
+        for scene in ("room", ROOM, "shells:10:4"):
+            golden = self.layers(scene, "--layers", "all")
+            cycle = self.layers(scene, "--layers", "all", "--machine", "cycle")
+            self.assertGreater(cycle.pop("clock cycles"), 0)
+            self.assertEqual(golden, cycle)
+            self.assertGreater(golden["inside voxels"], 0)
+
+    def test_armour_and_shown_are_the_voxels_of_their_rules(self):
+        found = self.layers("room", "--layers", "all")
+        self.assertEqual(found["armour packets"], found["facets loaded"])
+        self.assertEqual(found["armour voxels"], found["voxels occupied"])
+        self.assertEqual(self.layers("room", "--rule", "armoured")["voxels occupied"],
+                         found["armour voxels"])
+        self.assertEqual(self.layers("room", "--rule", "naive")["voxels occupied"],
+                         found["shown voxels"])
+
+    def test_inside_a_box(self):
+        scene = self.write("box.obj", box(9.25))
+        found = self.layers(scene, "--fit", "none", "--layers", "all")
+        self.assertEqual((found["inside voxels"], found["thin voxels"], found["solids"]), (216, 0, 1))
+
+    def test_a_plate_is_thin(self):
+        scene = self.write("plate.obj", box(3.5))
+        found = self.layers(scene, "--fit", "none", "--layers", "all")
+        self.assertEqual((found["inside voxels"], found["solids"]), (0, 1))
+        self.assertGreaterEqual(found["thin voxels"], 36)
+
+    def test_nothing_is_inside_what_is_open(self):
+        scene = self.write("open.obj", box(9.25, sides=5))
+        found = self.layers(scene, "--fit", "none", "--layers", "all")
+        self.assertEqual((found["inside packets"], found["solids"]), (0, 0))
+        self.assertEqual(found["open, nothing inside"], 1)
+
+    def test_who_does_not_ask_pays_nothing(self):
+        self.assertNotIn("inside voxels", self.layers("room"))
+        cycles = self.layers("room", "--machine", "cycle")["clock cycles"]
+        self.assertLess(cycles, self.layers("room", "--machine", "cycle", "--layers",
+                                            "all")["clock cycles"])
+
+    def test_bad_input(self):
+        self.refuse("voxelize", "room", "--layers", "two", says="--layers")
+        self.refuse("voxelize", "room", "--layers", "all", "--rule", "naive", says="--rule naive")
+
+
 class Compare(HostTest):
     left = "x,y,z,facet,core,gap,light0\n1,0,0,5,1,0,7\n2,0,0,5,1,0,0\n0,0,1,6,1,0,1\n"
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 namespace rc2::facet {
 
@@ -27,6 +28,15 @@ class Dice {
   }
 
   bool one_in(std::int64_t count) { return roll(1, count) == 1; }
+
+  bool chance(int percent) { return roll(1, 100) <= percent; }
+
+  template <typename Iterator>
+  void shuffle(Iterator first, Iterator last) {
+    for (auto left = last - first; left > 1; --left) {
+      std::swap(first[left - 1], first[roll(0, left - 1)]);
+    }
+  }
 
   /// 1 <= result <= high, every number of binary digits alike: from the smallest to the largest.
   std::int64_t roll_size(std::int64_t high) {

@@ -7,7 +7,6 @@
 #include <glm/common.hpp>
 #include <map>
 #include <memory>
-#include <random>
 #include <string>
 
 #include "sim/rtl_machine.h"
@@ -16,7 +15,6 @@
 #include "sw/facet/layers.h"
 #include "sw/golden/golden_machine.h"
 #include "sw/scene/scene.h"
-#include "tb/load/dice.h"
 #include "tb/load/machine_check.h"
 #include "tb/unit/random_packets.h"
 
@@ -28,13 +26,9 @@ constexpr std::array kRules{facet::Rule::armoured, facet::Rule::naive, facet::Ru
 
 const Progress kQuiet = [](const char*, std::int64_t, double) {};
 
-using facet::Dice;
-
-bool chance(Dice& dice, int percent) { return dice.roll(0, 99) < percent; }
 double real(Dice& dice, double low, double high) {
   return low + (high - low) * static_cast<double>(dice.roll(0, 1 << 20)) / (1 << 20);
 }
-int roll(Dice& dice, int low, int high) { return static_cast<int>(dice.roll(low, high)); }
 
 /// The three machines of one size. The Verilated one is made once and used by every test.
 struct Machines {
@@ -86,15 +80,15 @@ scene::Scene random_scene(Dice& dice, int n) {
   scene::Scene scene;
   scene.materials.emplace_back();
   const double side = n - 1;
-  const int polygons = roll(dice, 0, 8);
+  const int polygons = pick(dice, 0, 8);
   for (int i = 0; i < polygons; ++i) {
     glm::dvec3 corner(real(dice, 0, side), real(dice, 0, side), real(dice, 0, side));
-    if (chance(dice, 30)) corner = glm::round(corner * 2.0) * 0.5;
-    const double reach = chance(dice, 50) ? side : 2.0;
+    if (dice.chance(30)) corner = glm::round(corner * 2.0) * 0.5;
+    const double reach = dice.chance(50) ? side : 2.0;
     const auto edge = [&] {
       glm::dvec3 e(real(dice, -reach, reach), real(dice, -reach, reach), real(dice, -reach, reach));
-      if (chance(dice, 30)) e[roll(dice, 0, 2)] = 0;
-      if (chance(dice, 20)) e *= 0.02;
+      if (dice.chance(30)) e[pick(dice, 0, 2)] = 0;
+      if (dice.chance(20)) e *= 0.02;
       return e;
     };
     const auto inside = [&](glm::dvec3 p) { return glm::clamp(p, 0.0, side); };
@@ -111,13 +105,13 @@ bool pick_source(Dice& dice, int n, const VoxelMemory& voxels, glm::ivec3& sourc
     return std::none_of(voxels.begin(), voxels.end(),
                         [&](const VoxelRecord& v) { return v.at == p; });
   };
-  const int kind = roll(dice, 0, 2);
+  const int kind = pick(dice, 0, 2);
   for (int attempt = 0; attempt < 1000; ++attempt) {
-    glm::ivec3 p(roll(dice, 0, n - 1), roll(dice, 0, n - 1), roll(dice, 0, n - 1));
+    glm::ivec3 p(pick(dice, 0, n - 1), pick(dice, 0, n - 1), pick(dice, 0, n - 1));
     if (kind == 1 && attempt < 8) p = glm::ivec3(p.x % 2, p.y % 2, p.z % 2) * (n - 1);
     if (kind == 2 && !voxels.empty() && attempt < 100) {
-      p = voxels[static_cast<std::size_t>(roll(dice, 0, static_cast<int>(voxels.size()) - 1))].at;
-      p[roll(dice, 0, 2)] += chance(dice, 50) ? 1 : -1;
+      p = voxels[static_cast<std::size_t>(pick(dice, 0, static_cast<int>(voxels.size()) - 1))].at;
+      p[pick(dice, 0, 2)] += dice.chance(50) ? 1 : -1;
       p = glm::clamp(p, 0, n - 1);
     }
     if (!free(p)) continue;
@@ -135,15 +129,15 @@ TEST_P(RandomScenes, AgreeOnAllThreeMachines) {
   Dice dice(static_cast<std::uint64_t>(n));
   for (int i = 0; i < scenes; ++i) {
     SCOPED_TRACE("scene " + std::to_string(i));
-    const int f = roll(dice, 0, machines.rtl->config().fraction_bits);
-    const auto rule = kRules[static_cast<std::size_t>(roll(dice, 0, 4))];
+    const int f = pick(dice, 0, machines.rtl->config().fraction_bits);
+    const auto rule = kRules[static_cast<std::size_t>(pick(dice, 0, 4))];
     const auto facets = facet::build_facets(random_scene(dice, n), n, f, rule);
     ASSERT_NO_FATAL_FAILURE(load_everywhere(machines, facets.packets));
     glm::ivec3 source;
     for (int light = 0; light < 2; ++light) {
       if (!pick_source(dice, n, machines.golden.read_voxels(), source)) continue;
-      const int fa = chance(dice, 30) ? 1 : roll(dice, 1, 32);
-      const LightJob job{source, roll(dice, 1, 4 * n), fa};
+      const int fa = dice.chance(30) ? 1 : pick(dice, 1, 32);
+      const LightJob job{source, pick(dice, 1, 4 * n), fa};
       std::int64_t first = 0;
       ASSERT_NO_FATAL_FAILURE(light_everywhere(machines, job, &first));
       if (light == 0) continue;
@@ -184,13 +178,13 @@ class RandomPackets : public testing::TestWithParam<int> {};
 TEST_P(RandomPackets, LoadTheSameLayersOnAllThreeMachines) {
   const int n = GetParam();
   Machines& machines = machines_of(n);
-  std::mt19937 random(static_cast<unsigned>(n));
+  Dice dice(static_cast<std::uint64_t>(n));
   const int f = machines.rtl->config().fraction_bits;
   for (int round = 0; round < 60; ++round) {
     SCOPED_TRACE("round " + std::to_string(round));
     const std::int64_t scale =
         round % 2 == 0 ? 4 : std::int64_t{1} << (2 * (coordinate_bits(n) + f));
-    const auto packets = random_layers(random, n, pick(random, 1, 25), scale, f);
+    const auto packets = random_layers(dice, n, pick(dice, 1, 25), scale, f);
     ASSERT_NO_FATAL_FAILURE(load_everywhere(machines, packets));
   }
 }

@@ -1,28 +1,17 @@
-// What every block test needs: the Verilated module, a clock, random numbers.
+// What every block test needs: the Verilated module, a clock, dice.
 #pragma once
 
 #include <gtest/gtest.h>
 #include <verilated.h>
 
 #include <cstdint>
-#include <random>
 
 #include "Vtop.h"
+#include "tb/load/dice.h"
 
 namespace rc2::tb {
 
-/// Uniform in low .. high, the same on every library.
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : engine_(seed) {}
-  std::int64_t in(std::int64_t low, std::int64_t high) {
-    return low + static_cast<std::int64_t>(engine_() % static_cast<std::uint64_t>(high - low + 1));
-  }
-  bool chance(int percent) { return in(0, 99) < percent; }
-
- private:
-  std::mt19937_64 engine_;
-};
+using facet::Dice;
 
 /// A Verilated module with a clock and a reset.
 template <class Top>

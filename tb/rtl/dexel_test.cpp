@@ -37,15 +37,15 @@ void narrow(Interval& z, std::int64_t c, std::int64_t e) {
 TEST(Dexel, EqualsTheExactInterval) {
   const rc2::WordFormat format(kConfig);
   rc2::tb::Clocked<Vtop> unit;
-  rc2::tb::Random random(3);
+  rc2::tb::Dice dice(3);
   std::deque<Dexel> expected;
   int seen = 0, empty = 0, coreless = 0;
 
   // One cycle; true if the word that waits leaves.
   const auto tick = [&](bool& taken) {
-    unit.top.ready_i = random.chance(60);
+    unit.top.ready_i = dice.chance(60);
     unit.settle();
-    taken = unit.top.valid_i != 0 && unit.top.ready_o != 0 && random.chance(80);
+    taken = unit.top.valid_i != 0 && unit.top.ready_o != 0 && dice.chance(80);
     unit.top.take_i = taken;
     unit.settle();
     if (taken && unit.top.valid_o != 0) {
@@ -79,33 +79,33 @@ TEST(Dexel, EqualsTheExactInterval) {
   };
   // Small coefficients meet the exact multiples, large ones the ends of the widths.
   const auto value = [&](rc2::Word& word, int bits) {
-    const std::int64_t reach = random.chance(70) ? 9 : (1LL << (bits - 1)) - 1;
-    word.c = random.chance(25) ? 0 : random.in(-reach, reach);
+    const std::int64_t reach = dice.chance(70) ? 9 : (1LL << (bits - 1)) - 1;
+    word.c = dice.chance(25) ? 0 : dice.roll(-reach, reach);
     const std::int64_t far = std::min<std::int64_t>(20 * std::max<std::int64_t>(reach / 2, 1),
                                                     (1LL << (format.offset - 1)) - 1);
-    word.d = random.in(-far / 4, far);
+    word.d = dice.roll(-far / 4, far);
     return reach;
   };
 
   for (std::uint32_t facet = 0; facet < 40000 && !HasFatalFailure(); ++facet) {
     rc2::Word head{rc2::WordKind::head};
     head.facet = facet;
-    head.z0 = static_cast<int>(random.in(0, 15));
-    head.z_span = static_cast<int>(random.chance(40) ? std::min(2, 15 - head.z0)
-                                                     : random.in(0, 15 - head.z0));
+    head.z0 = static_cast<int>(dice.roll(0, 15));
+    head.z_span =
+        static_cast<int>(dice.chance(40) ? std::min(2, 15 - head.z0) : dice.roll(0, 15 - head.z0));
     rc2::Word slab{rc2::WordKind::slab};
     const std::int64_t steep = value(slab, format.plane);
     const std::int64_t widest = std::min<std::int64_t>(40 * steep, (1LL << format.plane) - 1);
-    head.reach = random.chance(50) ? widest : random.in(0, widest);
+    head.reach = dice.chance(50) ? widest : dice.roll(0, widest);
     Dexel dexel{facet, head.z0, {0, head.z_span}, {0, head.z_span}};
     narrow(dexel.all, slab.c, slab.d);
     narrow(dexel.all, -slab.c, head.reach - slab.d);
     send(head);
     send(slab);
-    for (int sides = static_cast<int>(random.in(0, 4)); sides > 0; --sides) {
+    for (int sides = static_cast<int>(dice.roll(0, 4)); sides > 0; --sides) {
       rc2::Word side{rc2::WordKind::side};
       const std::int64_t edge = value(side, format.side);
-      side.reach = random.in(0, std::min<std::int64_t>(2 * edge, (1LL << format.push) - 1));
+      side.reach = dice.roll(0, std::min<std::int64_t>(2 * edge, (1LL << format.push) - 1));
       narrow(dexel.all, side.c, side.d);
       narrow(dexel.core, side.c, side.d - side.reach);
       send(side);

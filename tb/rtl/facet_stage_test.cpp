@@ -21,7 +21,7 @@ class Stage : public testing::Test {
  protected:
   const rc2::WordFormat format{kConfig};
   rc2::tb::Clocked<Vtop> stage;
-  rc2::tb::Random random{4};
+  rc2::tb::Dice dice{4};
   std::deque<Packed> to_unit, to_next;
 
   std::uint64_t pack(const Packed& word) const {
@@ -30,8 +30,8 @@ class Stage : public testing::Test {
   }
 
   void tick(bool& taken) {
-    stage.top.unit_ready_i = random.chance(70);
-    stage.top.next_ready_i = random.chance(70);
+    stage.top.unit_ready_i = dice.chance(70);
+    stage.top.next_ready_i = dice.chance(70);
     stage.settle();
     taken = stage.top.ready_o != 0;
     const bool unit = stage.top.unit_valid_o != 0 && stage.top.unit_ready_i != 0;
@@ -59,23 +59,23 @@ class Stage : public testing::Test {
     stage.top.valid_i = 0;
   }
 
-  std::uint64_t random_bits(int width) { return rc2::tb::bits(random.in(0, INT64_MAX), width); }
+  std::uint64_t random_bits(int width) { return dice.bits() >> (64 - width); }
 };
 
 TEST_F(Stage, WalksPacketsPastItsUnit) {
   for (int packet = 0; packet < 5000 && !HasFatalFailure(); ++packet) {
-    if (random.chance(10)) {
+    if (dice.chance(10)) {
       const Packed read{rc2::WordKind::read, 0, random_bits(2)};
       to_unit.push_back(read);
       to_next.push_back(read);
       send(read);
-    } else if (random.chance(10)) {
+    } else if (dice.chance(10)) {
       const Packed data{rc2::WordKind::data, random_bits(format.lead), random_bits(format.rest)};
       to_next.push_back(data);
       send(data);
     } else {
-      const auto skip = static_cast<std::uint64_t>(random.in(0, 3));
-      const auto take = static_cast<std::uint64_t>(random.in(1, 3));
+      const auto skip = static_cast<std::uint64_t>(dice.roll(0, 3));
+      const auto take = static_cast<std::uint64_t>(dice.roll(1, 3));
       const bool here = skip == 0;
       const bool on = skip != 0 || take > 1;
       const auto steer = [&](std::uint64_t s, std::uint64_t t) { return t << format.count | s; };
@@ -89,8 +89,8 @@ TEST_F(Stage, WalksPacketsPastItsUnit) {
       send(head);
       constexpr std::array kKinds{rc2::WordKind::slab, rc2::WordKind::side, rc2::WordKind::gap};
       for (const rc2::WordKind kind : kKinds) {
-        const std::int64_t step = random.in(-500, 500);
-        const std::int64_t d = random.in(-6000, 6000);
+        const std::int64_t step = dice.roll(-500, 500);
+        const std::int64_t d = dice.roll(-6000, 6000);
         const std::uint64_t above = random_bits(format.rest - format.offset) << format.offset;
         const Packed value{kind, rc2::tb::bits(step, format.lead),
                            above | rc2::tb::bits(d, format.offset)};

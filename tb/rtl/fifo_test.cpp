@@ -9,7 +9,7 @@ constexpr std::size_t kDepth = 5;
 
 TEST(Fifo, FollowsADequeUnderRandomTraffic) {
   rc2::tb::Clocked<Vtop> fifo;
-  rc2::tb::Random random(1);
+  rc2::tb::Dice dice(1);
   std::deque<std::uint16_t> reference;
   int full_exchanges = 0;
   for (int cycle = 0; cycle < 100000; ++cycle) {
@@ -19,9 +19,9 @@ TEST(Fifo, FollowsADequeUnderRandomTraffic) {
       ASSERT_EQ(fifo.top.data_o, reference.front()) << "cycle " << cycle;
     }
     const int bias = (cycle / 1000) % 2 == 0 ? 70 : 30;  // fill it, then drain it
-    const bool pop = !reference.empty() && random.chance(100 - bias);
-    const bool push = (reference.size() < kDepth || pop) && random.chance(bias);
-    const auto word = static_cast<std::uint16_t>(random.in(0, 65535));
+    const bool pop = !reference.empty() && dice.chance(100 - bias);
+    const bool push = (reference.size() < kDepth || pop) && dice.chance(bias);
+    const auto word = static_cast<std::uint16_t>(dice.roll(0, 65535));
     full_exchanges += (push && pop && reference.size() == kDepth) ? 1 : 0;
     fifo.top.push_i = push;
     fifo.top.pop_i = pop;

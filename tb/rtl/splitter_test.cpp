@@ -62,9 +62,9 @@ std::array<Part, 3> parts(const Vtop& top, int first_field) {
 
 TEST(Splitter, PartitionsTheTargetsAlongTheirRays) {
   Vtop top;
-  rc2::tb::Random random(5);
+  rc2::tb::Dice dice(5);
   const auto pick = [&](std::int64_t low, std::int64_t high) {
-    return static_cast<int>(random.in(low, high));
+    return static_cast<int>(dice.roll(low, high));
   };
   std::set<int> shapes;
   int escapes = 0;
@@ -79,7 +79,7 @@ TEST(Splitter, PartitionsTheTargetsAlongTheirRays) {
     const auto offset = [&](int a) {
       return at[static_cast<std::size_t>(a)] - source[static_cast<std::size_t>(a)];
     };
-    const bool negative = offset(axis) != 0 ? offset(axis) < 0 : random.chance(50);
+    const bool negative = offset(axis) != 0 ? offset(axis) < 0 : dice.chance(50);
     const int k = std::abs(offset(axis));
     const auto [u_first, u_last] = targets_at(offset(u_axis), k, distance, distance);
     const auto [v_first, v_last] = targets_at(offset(v_axis), k, distance, distance);

@@ -5,7 +5,6 @@
 #include <glm/common.hpp>
 #include <map>
 #include <numeric>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -25,7 +24,7 @@ using facet::Slab;
 using golden::GoldenMachine;
 using Trace = std::vector<std::vector<std::uint32_t>>;  // the queues of every cycle
 
-glm::ivec3 pick_corner(Random& random, int n) { return pick_voxel(random, 2) * (n - 1); }
+glm::ivec3 pick_corner(Dice& dice, int n) { return pick_voxel(dice, 2) * (n - 1); }
 
 MachineConfig machine_config(int n) {
   MachineConfig config;
@@ -33,26 +32,26 @@ MachineConfig machine_config(int n) {
   return config;
 }
 
-PacketStream dust(Random& random, int n, double share) {
+PacketStream dust(Dice& dice, int n, double share) {
   PacketStream stream;
   for (int i = 0; i < static_cast<int>(share * n * n * n); ++i) {
-    const glm::ivec3 voxel = pick_voxel(random, n);
+    const glm::ivec3 voxel = pick_voxel(dice, n);
     add_packet(stream, static_cast<std::uint32_t>(i), voxel, voxel);
   }
   return stream;
 }
 
-PacketStream random_scene(Random& random, int n) {
+PacketStream random_scene(Dice& dice, int n) {
   const std::int64_t largest = std::int64_t{1} << (2 * (coordinate_bits(n) + 4));
-  switch (pick(random, 0, 4)) {
+  switch (pick(dice, 0, 4)) {
     case 0:
-      return dust(random, n, 0.1);
+      return dust(dice, n, 0.1);
     case 1:
-      return random_layers(random, n, pick(random, 1, 20), pick(random, 0, 1) == 0 ? 4 : largest);
+      return random_layers(dice, n, pick(dice, 1, 20), pick(dice, 0, 1) == 0 ? 4 : largest);
     case 2:
-      return random_packets(random, n, pick(random, 1, 12), largest);
+      return random_packets(dice, n, pick(dice, 1, 12), largest);
     default:
-      return random_packets(random, n, pick(random, 0, 6), 4);
+      return random_packets(dice, n, pick(dice, 0, 6), 4);
   }
 }
 
@@ -86,21 +85,20 @@ void expect_same_light(Machine& machine, Machine& golden, const LightJob& job) {
 // One machine goes through several loads and several lights each, so that whatever is not
 // forgotten shows.
 TEST(CycleMachine, AgreesWithGolden) {
-  Random random(1);
+  Dice dice(1);
   std::int64_t lights = 0, lit = 0;
   for (int n = 2; n <= 12; ++n) {
     CycleMachine machine(machine_config(n));
     GoldenMachine golden(machine_config(n));
     for (int round = 0; round < 25; ++round) {
       SCOPED_TRACE(testing::Message() << "n " << n << " round " << round);
-      const PacketStream scene = random_scene(random, n);
+      const PacketStream scene = random_scene(dice, n);
       machine.load(scene, {});
       golden.load(scene, {});
       expect_same_voxels(machine, golden);
       for (int k = 0; k < 3; ++k) {
-        const LightJob job{k == 0 ? pick_corner(random, n) : pick_voxel(random, n),
-                           pick(random, 1, 4 * n),
-                           k == 1 ? pick(random, 1, 3) : pick(random, 1, 32)};
+        const LightJob job{k == 0 ? pick_corner(dice, n) : pick_voxel(dice, n),
+                           pick(dice, 1, 4 * n), k == 1 ? pick(dice, 1, 3) : pick(dice, 1, 32)};
         if (occupied(golden.read_voxels(), job.source)) continue;
         expect_same_light(machine, golden, job);
         ++lights;
@@ -113,15 +111,15 @@ TEST(CycleMachine, AgreesWithGolden) {
 }
 
 TEST(CycleMachine, ForgetsTheLightWhenItLoads) {
-  Random random(2);
+  Dice dice(2);
   CycleMachine machine(machine_config(6));
-  const PacketStream scene = dust(random, 6, 0.3);
+  const PacketStream scene = dust(dice, 6, 0.3);
   machine.load(scene, {});
   const LightMemory dark(machine.read_voxels().size(), 0);
   EXPECT_EQ(machine.read_light(), dark);
   const auto is_free = [&](glm::ivec3 at) { return !occupied(machine.read_voxels(), at); };
-  glm::ivec3 source = pick_voxel(random, 6);
-  while (!is_free(source)) source = pick_voxel(random, 6);
+  glm::ivec3 source = pick_voxel(dice, 6);
+  while (!is_free(source)) source = pick_voxel(dice, 6);
   machine.light({source, 5, 4}, {});
   EXPECT_NE(machine.read_light(), dark);
   machine.load(scene, {});
@@ -157,7 +155,7 @@ TEST(CycleMachine, RefusesWhatDoesNotFit) {
 }
 
 TEST(CycleMachine, ReportsProgress) {
-  Random random(3);
+  Dice dice(3);
   MachineConfig config = machine_config(24);
   config.max_distance = 400;
   CycleMachine machine(config);
@@ -167,7 +165,7 @@ TEST(CycleMachine, ReportsProgress) {
     EXPECT_LE(share, 1);
     shares[step] = share;
   };
-  machine.load(random_packets(random, 24, 800, 4), progress);
+  machine.load(random_packets(dice, 24, 800, 4), progress);
   machine.load({}, {});
   machine.light({{0, 0, 0}, 400, 1}, progress);
   EXPECT_GT(shares["load"], 0);
@@ -237,22 +235,22 @@ TEST(CycleLoad, CostsNothingWithoutPackets) {
 }
 
 TEST(CycleColumns, KeepTheBestClaimAndEveryTarget) {
-  Random random(4);
+  Dice dice(4);
   const int n = 130;
   Columns columns(n);
   std::map<int, std::pair<std::uint32_t, std::uint32_t>> expected;
   const std::size_t column = 17;
   for (int i = 0; i < 300; ++i) {
-    const int z = pick(random, 0, n - 1);
-    const Claim claim{static_cast<std::uint32_t>(pick(random, 0, 1000)), pick(random, 0, 1) == 0,
-                      pick(random, -3, 3)};
+    const int z = pick(dice, 0, n - 1);
+    const Claim claim{static_cast<std::uint32_t>(pick(dice, 0, 1000)), pick(dice, 0, 1) == 0,
+                      pick(dice, -3, 3)};
     columns.fill(column, z, claim, 13);
     const auto [voxel, first] = expected.try_emplace(z, claim.packed(), 0);
     if (!first) voxel->second.first = std::min(voxel->second.first, claim.packed());
   }
   for (auto& [z, voxel] : expected) {
-    for (int k = pick(random, 0, 3); k > 0; --k) {
-      const int targets = pick(random, 1, 100);
+    for (int k = pick(dice, 0, 3); k > 0; --k) {
+      const int targets = pick(dice, 1, 100);
       columns.absorb(column, z, targets);
       voxel.second += static_cast<std::uint32_t>(targets);
     }
@@ -322,12 +320,12 @@ TEST(CycleSplitAxis, FollowsEachRay) {
 }
 
 TEST(CycleRotate, LetsNobodyWaitForMoreThanEveryOtherOnce) {
-  Random random(7);
+  Dice dice(7);
   Rotate rotate;
   std::array<int, 9> waited{};  // grants to others while a way kept asking
   unsigned requests = 0;
   for (int round = 0; round < 5000; ++round) {
-    requests |= 1U << pick(random, 0, 8) | 1U << pick(random, 0, 8);
+    requests |= 1U << pick(dice, 0, 8) | 1U << pick(dice, 0, 8);
     const unsigned granted = rotate.take(requests);
     ASSERT_NE(requests >> granted & 1U, 0U);
     for (unsigned way = 0; way < waited.size(); ++way) {
@@ -335,7 +333,7 @@ TEST(CycleRotate, LetsNobodyWaitForMoreThanEveryOtherOnce) {
       ASSERT_LE(++waited[way], 8);
     }
     waited[granted] = 0;
-    if (pick(random, 0, 1) == 0) requests &= ~(1U << granted);
+    if (pick(dice, 0, 1) == 0) requests &= ~(1U << granted);
   }
 }
 
@@ -388,11 +386,11 @@ TEST(CycleLight, TakesThreeCyclesPerHop) {
 }
 
 TEST(CycleLight, NeverHangsHoweverShortTheQueue) {
-  Random random(5);
+  Dice dice(5);
   for (int round = 0; round < 40; ++round) {
-    const int n = pick(random, 2, 16);
+    const int n = pick(dice, 2, 16);
     CycleMachine machine(machine_config(n));
-    EXPECT_NO_THROW(machine.light({pick_voxel(random, n), pick(random, 1, 64), 1}, {}));
+    EXPECT_NO_THROW(machine.light({pick_voxel(dice, n), pick(dice, 1, 64), 1}, {}));
   }
 }
 
@@ -411,7 +409,7 @@ TEST(CycleLight, ShowsEveryCycleToTheObserver) {
 }
 
 // All cells in each cycle, at rest or not, each phase in an order of its own.
-Trace run_in_any_order(Random& random, int n, Columns& columns, const LightJob& job) {
+Trace run_in_any_order(Dice& dice, int n, Columns& columns, const LightJob& job) {
   Router router(n);
   Diffuser diffuser(n, columns, router);
   router.start(job);
@@ -422,9 +420,9 @@ Trace run_in_any_order(Random& random, int n, Columns& columns, const LightJob& 
   Trace trace;
   while (std::any_of(cells.begin(), cells.end(), busy)) {
     trace.push_back(diffuser.queues());
-    std::shuffle(cells.begin(), cells.end(), random);
+    dice.shuffle(cells.begin(), cells.end());
     for (const std::size_t cell : cells) router.move_links(cell, [](std::size_t) {});
-    std::shuffle(cells.begin(), cells.end(), random);
+    dice.shuffle(cells.begin(), cells.end());
     for (const std::size_t cell : cells) {
       diffuser.step(cell, static_cast<std::int64_t>(trace.size()));
       router.merge(cell);
@@ -434,16 +432,16 @@ Trace run_in_any_order(Random& random, int n, Columns& columns, const LightJob& 
 }
 
 TEST(CycleLight, DoesNotDependOnTheOrderOfCells) {
-  Random random(6);
+  Dice dice(6);
   for (int round = 0; round < 20; ++round) {
-    const int n = pick(random, 2, 10);
-    const LightJob job{pick_voxel(random, n), pick(random, 1, 2 * n), pick(random, 1, 6)};
+    const int n = pick(dice, 2, 10);
+    const LightJob job{pick_voxel(dice, n), pick(dice, 1, 2 * n), pick(dice, 1, 6)};
     Columns columns(n);
     for (int i = 0; i < n * n * n / 10; ++i) {
-      const glm::ivec3 at = pick_voxel(random, n);
+      const glm::ivec3 at = pick_voxel(dice, n);
       if (at != job.source) columns.fill(cell_number(at.x, at.y, n), at.z, {}, 13);
     }
-    const Trace shuffled = run_in_any_order(random, n, columns, job);
+    const Trace shuffled = run_in_any_order(dice, n, columns, job);
     Trace trace;
     LightArray array(n, columns);
     array.run(job, [&](std::int64_t, const auto& queues) { trace.push_back(queues); }, {});

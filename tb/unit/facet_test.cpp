@@ -7,11 +7,11 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <random>
 
 #include "sw/base/config.h"
 #include "sw/base/error.h"
 #include "sw/facet/polygon.h"
+#include "tb/load/dice.h"
 #include "tb/unit/facet_oracle.h"
 #include "tb/unit/voxel_set.h"
 
@@ -20,18 +20,6 @@ namespace {
 
 constexpr Rule kRules[] = {Rule::armoured, Rule::naive, Rule::supercover, Rule::half,
                            Rule::blindee};
-
-class Dice {
- public:
-  explicit Dice(unsigned seed) : bits_(seed) {}
-  /// low <= result <= high
-  std::int64_t roll(std::int64_t low, std::int64_t high) {
-    return std::uniform_int_distribution<std::int64_t>(low, high)(bits_);
-  }
-
- private:
-  std::mt19937_64 bits_;
-};
 
 // The cube [-1/2, n-1/2]^3 in vertex units.
 struct Cube {

@@ -95,11 +95,11 @@ class Listener {
 };
 
 TEST(FeederWords, ReachEveryRowOfEveryPacketOnceAndInTheOrderOfBatches) {
-  Random random(1);
+  Dice dice(1);
   for (const int n : {2, 5, 16}) {
     for (int feeders = 1; feeders <= n; feeders *= 2) {
       for (const int count : {0, 1, 2, 3, 50}) {
-        const PacketStream stream = random_layers(random, n, count, 99);
+        const PacketStream stream = random_layers(dice, n, count, 99);
         std::map<std::pair<std::uint32_t, int>, Seen> seen;  // of facet and row
         std::int64_t busiest = 0;
         for (int k = 0; k < feeders; ++k) {

@@ -143,13 +143,13 @@ void expect_owners(GoldenMachine& machine, const Owners& expected) {
 }
 
 TEST(GoldenLoad, FillsWhatEveryBoundAllows) {
-  Random random(1);
+  Dice dice(1);
   std::size_t filled = 0;
   for (int round = 0; round < 1000; ++round) {
-    const int n = pick(random, 2, 12);
+    const int n = pick(dice, 2, 12);
     const std::int64_t largest = std::int64_t{1} << (2 * (coordinate_bits(n) + 4));
     const std::int64_t scale = std::min<std::int64_t>(largest, round % 3 == 0 ? 3 : largest);
-    const PacketStream stream = random_packets(random, n, pick(random, 1, 12), scale);
+    const PacketStream stream = random_packets(dice, n, pick(dice, 1, 12), scale);
     GoldenMachine machine(machine_config(n));
     machine.load(stream, {});
     SCOPED_TRACE(testing::Message() << "round " << round);
@@ -160,14 +160,14 @@ TEST(GoldenLoad, FillsWhatEveryBoundAllows) {
 }
 
 TEST(GoldenLoad, KeepsTheLayersByTheirDefinition) {
-  Random random(4);
+  Dice dice(4);
   std::int64_t shown = 0, inside = 0, thin = 0;
   for (int round = 0; round < 1000; ++round) {
     SCOPED_TRACE(testing::Message() << "round " << round);
-    const int n = pick(random, 2, 8);
+    const int n = pick(dice, 2, 8);
     const std::int64_t scale =
         round % 2 == 0 ? 3 : std::int64_t{1} << (2 * (coordinate_bits(n) + 4));
-    const PacketStream stream = random_layers(random, n, pick(random, 1, 40), scale);
+    const PacketStream stream = random_layers(dice, n, pick(dice, 1, 40), scale);
     GoldenMachine machine(machine_config(n));
     machine.load(stream, {});
     const Owners owners = brute_force_owners(stream, n);
@@ -198,9 +198,9 @@ TEST(GoldenLoad, KeepsTheLayersByTheirDefinition) {
 }
 
 TEST(GoldenLoad, ListsVoxelsByZThenYThenX) {
-  Random random(2);
+  Dice dice(2);
   GoldenMachine machine(machine_config(9));
-  machine.load(random_packets(random, 9, 10, 5), {});
+  machine.load(random_packets(dice, 9, 10, 5), {});
   const VoxelMemory voxels = machine.read_voxels();
   ASSERT_GT(voxels.size(), 10U);
   const auto before = [](const VoxelRecord& a, const VoxelRecord& b) {
@@ -210,14 +210,14 @@ TEST(GoldenLoad, ListsVoxelsByZThenYThenX) {
 }
 
 TEST(GoldenLoad, OwnerDoesNotDependOnTheOrderOfPackets) {
-  Random random(3);
-  PacketStream stream = random_packets(random, 10, 20, 4);
+  Dice dice(3);
+  PacketStream stream = random_packets(dice, 10, 20, 4);
   GoldenMachine machine(machine_config(10));
   machine.load(stream, {});
   const Owners owners = brute_force_owners(stream, 10);
   expect_owners(machine, owners);
   for (int round = 0; round < 10; ++round) {
-    std::shuffle(stream.heads.begin(), stream.heads.end(), random);
+    dice.shuffle(stream.heads.begin(), stream.heads.end());
     machine.load(stream, {});
     expect_owners(machine, owners);
   }
@@ -354,24 +354,24 @@ PacketStream single_voxels(const std::vector<glm::ivec3>& voxels) {
 }
 
 // A share of isolated voxels, none of them at the source.
-std::vector<glm::ivec3> dust(Random& random, int n, glm::ivec3 source, double share) {
+std::vector<glm::ivec3> dust(Dice& dice, int n, glm::ivec3 source, double share) {
   std::vector<glm::ivec3> voxels;
   for (int i = 0; i < static_cast<int>(share * n * n * n); ++i) {
-    const glm::ivec3 voxel = pick_voxel(random, n);
+    const glm::ivec3 voxel = pick_voxel(dice, n);
     if (voxel != source) voxels.push_back(voxel);
   }
   return voxels;
 }
 
 TEST(GoldenLight, CountsTheRaysOfTheRationalFormula) {
-  Random random(4);
+  Dice dice(4);
   for (int round = 0; round < 20; ++round) {
-    const int n = pick(random, 2, 8);
-    const int distance = pick(random, 1, n + 3);
+    const int n = pick(dice, 2, 8);
+    const int distance = pick(dice, 1, n + 3);
     const glm::ivec3 source =
-        round % 4 == 0 ? glm::ivec3(round % 8 == 0 ? 0 : n - 1) : pick_voxel(random, n);
+        round % 4 == 0 ? glm::ivec3(round % 8 == 0 ? 0 : n - 1) : pick_voxel(dice, n);
     GoldenMachine machine(machine_config(n));
-    machine.load(single_voxels(dust(random, n, source, 0.15)), {});
+    machine.load(single_voxels(dust(dice, n, source, 0.15)), {});
     const LightResult result = machine.light({source, distance, 1}, {});
     const Expected expected = brute_force_light(machine.read_voxels(), n, source, distance);
     EXPECT_EQ(arrived_in(machine), expected.arrived) << "n " << n << ", L " << distance;
@@ -383,13 +383,13 @@ TEST(GoldenLight, CountsTheRaysOfTheRationalFormula) {
 }
 
 TEST(GoldenLight, LosesNoTarget) {
-  Random random(5);
+  Dice dice(5);
   for (int round = 0; round < 30; ++round) {
-    const int n = pick(random, 2, 24);
-    const glm::ivec3 source = pick_voxel(random, n);
+    const int n = pick(dice, 2, 24);
+    const glm::ivec3 source = pick_voxel(dice, n);
     GoldenMachine machine(machine_config(n));
-    machine.load(single_voxels(dust(random, n, source, 0.05)), {});
-    const LightResult result = machine.light({source, pick(random, 1, 40), 1}, {});
+    machine.load(single_voxels(dust(dice, n, source, 0.05)), {});
+    const LightResult result = machine.light({source, pick(dice, 1, 40), 1}, {});
     EXPECT_EQ(result.targets.absorbed + result.targets.escaped, result.targets.total);
     EXPECT_EQ(result.targets.skipped, 0);
     std::int64_t arrived = 0;
@@ -436,11 +436,11 @@ void expect_symmetric(int n, const std::vector<glm::ivec3>& voxels, glm::ivec3 s
 }
 
 TEST(GoldenLight, TreatsTheAxesAlike) {
-  Random random(6);
+  Dice dice(6);
   const int n = 9;
   for (const int distance : {4, 7, 8, 11, 16}) {
-    const glm::ivec3 source = pick_voxel(random, n);
-    const auto voxels = dust(random, n, source, 0.1);
+    const glm::ivec3 source = pick_voxel(dice, n);
+    const auto voxels = dust(dice, n, source, 0.1);
     expect_symmetric(n, voxels, source, distance,
                      [](glm::ivec3 v) { return glm::ivec3(v.y, v.x, v.z); });
     expect_symmetric(n, voxels, source, distance,
@@ -450,11 +450,11 @@ TEST(GoldenLight, TreatsTheAxesAlike) {
 
 // An odd L has no ties, so nothing prefers a side.
 TEST(GoldenLight, TreatsBothSidesAlikeWhenLIsOdd) {
-  Random random(7);
+  Dice dice(7);
   const int n = 9;
   for (const int distance : {3, 7, 9, 15}) {
-    const glm::ivec3 source = pick_voxel(random, n);
-    const auto voxels = dust(random, n, source, 0.1);
+    const glm::ivec3 source = pick_voxel(dice, n);
+    const auto voxels = dust(dice, n, source, 0.1);
     for (int axis = 0; axis < 3; ++axis) {
       expect_symmetric(n, voxels, source, distance, [&](glm::ivec3 v) {
         v[axis] = n - 1 - v[axis];

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <map>
 #include <numeric>
-#include <random>
 #include <set>
 
 #include "sw/base/config.h"
@@ -20,6 +19,7 @@
 #include "sw/surface/mesh.h"
 #include "sw/surface/voxel_array.h"
 #include "sw/surface/winding.h"
+#include "tb/load/dice.h"
 #include "tb/unit/voxel_set.h"
 
 namespace rc2::facet {
@@ -235,13 +235,13 @@ TEST(Layers, EachFacetHasItsNumberInEveryLayer) {
 }
 
 TEST(Layers, FacingKeepsTheSignsOfLargeComponents) {
-  std::mt19937 dice(1);
+  Dice dice(1);
   for (int trial = 0; trial < 2000; ++trial) {
     Scene scene = empty_scene();
     Border border;
     for (int i = 0; i < 3; ++i) {
       Vertex v;
-      for (int axis = 0; axis < 3; ++axis) v[axis] = static_cast<std::int64_t>(dice() % 16);
+      for (int axis = 0; axis < 3; ++axis) v[axis] = dice.roll(0, 15);
       border.push_back(v);
     }
     const Vertex normal = cross(border[1] - border[0], border[2] - border[0]);
@@ -293,13 +293,13 @@ TEST(Layers, InsideIsWhereAModelGoesRoundAnOddNumberOfTimes) {
 }
 
 TEST(Layers, OrderWithinABatchDoesNotMatter) {
-  std::mt19937 dice(2);
+  Dice dice(2);
   for_each_mesh(2, [&](const Scene& scene, int n, int fraction_bits) {
     PacketStream stream = build_layers(scene, n, fraction_bits).packets;
     const Machine before(stream, n);
     for (const Batch& batch : stream.batches)
-      std::shuffle(stream.heads.begin() + batch.first,
-                   stream.heads.begin() + batch.first + batch.count, dice);
+      dice.shuffle(stream.heads.begin() + batch.first,
+                   stream.heads.begin() + batch.first + batch.count);
     const Machine after(stream, n);
     EXPECT_EQ(difference(before.thin, after.thin), 0);
     EXPECT_EQ(difference(before.inside, after.inside), 0);
