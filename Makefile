@@ -7,8 +7,9 @@
 ##   sim       lights scenes on the machine: pictures, waveforms and report.html under out/
 ##   thesis    the tables and snapshots of the thesis's own simulations, beside the printed ones
 ##   chapter2  the lines, tunnels and Boolean networks of thesis chapter 2, as the docs show them
-##   bench-load  loading: cycles of real scenes, leaks, rounded coefficients, as the docs show them
-##   oracle    voxels of 1,500,000 facets against exact arithmetic; 17 minutes
+##   bench-load  loading: cycles of real scenes, leaks, rounded coefficients, speed of the host, as
+##             the docs show them
+##   oracle    the voxels of 1,500,000 facets against exact arithmetic, as the docs show it
 ##   test      every test; the last line is their summary
 ##   lint      verilator -Wall, yosys on every module alone, clang-format, clang-tidy
 ##   sanitize  the software's tests with address and undefined-behaviour sanitizers
