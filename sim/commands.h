@@ -9,7 +9,7 @@ enum ExitCode {
   kDone = 0,
   kDifferent = 1,     ///< compare: the files differ
   kBadInput = 2,      ///< the user can mend it
-  kDisagreement = 3,  ///< run: the machine and its reference differ
+  kDisagreement = 3,  ///< the machine and what it is compared with differ
   kBroken = 4,        ///< a law that holds for every machine is broken
 };
 
