@@ -39,7 +39,7 @@ bool same_voxels(const VoxelMemory& voxels, const direct::Voxeliser& voxeliser) 
          });
 }
 
-// One facet after another; nothing is left of the packets and the machine but their voxels.
+// The packets and the machine are gone before the direct voxeliser needs room.
 VoxelMemory run_golden(const Scene& scene, int n, TimedLoad& timed) {
   MachineConfig config;
   config.n = n;

@@ -26,7 +26,7 @@ class Builder {
     // If every polygon had to be cut into triangles.
     const std::size_t most =
         polygons + std::max(scene_.vertices.size(), 3 * polygons) - 3 * polygons;
-    set_.facets.reserve(most);
+    reserve_large(set_.facets, most);
     reserve_large(set_.packets.heads, most);
     reserve_large(set_.packets.sides, (grid_.rule == Rule::supercover ? 9 : 3) * most);
     for (std::size_t i = 0; i < polygons; ++i) add_polygon(i);
