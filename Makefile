@@ -111,7 +111,7 @@ bench-load: build
 	@scripts/bench-load '$(OUT)/bench-load'
 
 test: build/build.ninja
-	$(cmake_build) all $(test_sizes:%=rtl_n%)
+	$(cmake_build) all $(test_sizes:%=rtl_n%) $(test_sizes:%=rtl_thesis_n%)
 	@scripts/test build
 
 # clang-tidy reads headers that the build generates.

@@ -47,7 +47,10 @@ report::Report describe(const RunOptions& options, const Job& job) {
 }
 
 MachineConfig needs(const RunOptions& options) {
-  return {options.n, options.fraction_bits, options.distance(), options.fa, options.feeder_count()};
+  MachineConfig config{options.n, options.fraction_bits, options.distance(), options.fa,
+                       options.feeder_count()};
+  config.mode = options.light_mode();
+  return config;
 }
 
 // Loads and lights the machine, and puts into the report what it did.
