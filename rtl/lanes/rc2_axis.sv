@@ -8,40 +8,39 @@
 //
 // In step s cut_o says what the classes of step s do, come_o how many have come for step s+1.
 
-module rc2_axis #(
-    localparam int unsigned M = rc2_pkg::ClassM,
-    localparam int unsigned ClassW = rc2_pkg::ClassW,
-    localparam int unsigned DistanceW = rc2_pkg::DistanceW,
-    localparam int unsigned WeightsW = rc2_pkg::WeightsW
-) (
+module rc2_axis (
     input  logic                             clk_i,
     input  logic                             start_i,
     input  logic                             tick_i,
     input  logic       [rc2_pkg::CoordW-1:0] at_i,
     input  logic       [rc2_pkg::CoordW-1:0] light_i,  // its coordinate
-    input  logic       [      DistanceW-1:0] distance_i,
+    input  logic       [rc2_pkg::DistanceW-1:0] distance_i,
     input  logic       [rc2_pkg::RatioW-1:0] ratio_i,
     output rc2_pkg::cut_t                    cut_o,
-    output logic       [         ClassW-1:0] come_o,
+    output logic       [rc2_pkg::ClassW-1:0] come_o,
     // what leaves: to the neighbour below, above; only the first class differs
-    output logic       [         ClassW-1:0] down_count_o,
-    output logic       [         ClassW-1:0] up_count_o,
-    output logic       [      DistanceW-1:0] down_inner_o,
-    output logic       [      DistanceW-1:0] up_inner_o,
-    output logic       [      DistanceW-1:0] down_first_o,
-    output logic       [    M*DistanceW-1:0] leaving_o,
+    output logic       [rc2_pkg::ClassW-1:0] down_count_o,
+    output logic       [rc2_pkg::ClassW-1:0] up_count_o,
+    output logic       [rc2_pkg::DistanceW-1:0] down_inner_o,
+    output logic       [rc2_pkg::DistanceW-1:0] up_inner_o,
+    output logic       [rc2_pkg::DistanceW-1:0] down_first_o,
+    output logic       [rc2_pkg::ClassM*rc2_pkg::DistanceW-1:0] leaving_o,
     // what comes from below, above
-    input  logic       [         ClassW-1:0] below_count_i,
-    input  logic       [      DistanceW-1:0] below_inner_i,
-    input  logic       [    M*DistanceW-1:0] below_i,
-    input  logic       [         ClassW-1:0] above_count_i,
-    input  logic       [      DistanceW-1:0] above_inner_i,
-    input  logic       [      DistanceW-1:0] above_first_i,
-    input  logic       [    M*DistanceW-1:0] above_i,
+    input  logic       [rc2_pkg::ClassW-1:0] below_count_i,
+    input  logic       [rc2_pkg::DistanceW-1:0] below_inner_i,
+    input  logic       [rc2_pkg::ClassM*rc2_pkg::DistanceW-1:0] below_i,
+    input  logic       [rc2_pkg::ClassW-1:0] above_count_i,
+    input  logic       [rc2_pkg::DistanceW-1:0] above_inner_i,
+    input  logic       [rc2_pkg::DistanceW-1:0] above_first_i,
+    input  logic       [rc2_pkg::ClassM*rc2_pkg::DistanceW-1:0] above_i,
     // for who counts: targets of each class of step s, and those that stay in the cube
-    output logic       [       WeightsW-1:0] weights_o,
-    output logic       [       WeightsW-1:0] kept_o
+    output logic       [rc2_pkg::WeightsW-1:0] weights_o,
+    output logic       [rc2_pkg::WeightsW-1:0] kept_o
 );
+  localparam int unsigned M = rc2_pkg::ClassM;
+  localparam int unsigned ClassW = rc2_pkg::ClassW;
+  localparam int unsigned DistanceW = rc2_pkg::DistanceW;
+  localparam int unsigned WeightsW = rc2_pkg::WeightsW;
   localparam int unsigned N = rc2_pkg::N;
   localparam int unsigned CoordW = rc2_pkg::CoordW;
   localparam int unsigned OffW = rc2_pkg::OffW;

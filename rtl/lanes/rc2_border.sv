@@ -4,14 +4,13 @@
 // offset w or below after k steps, ties downwards, given odd = 2w+1 and L/2k (rc2_ratio). Right for
 // -k <= w < k. Combinational.
 
-module rc2_border #(
-    localparam int unsigned OddW = rc2_pkg::CoordW + 2,
-    localparam int unsigned BorderW = rc2_pkg::StopW
-) (
-    input  logic signed [           OddW-1:0] odd_i,
+module rc2_border (
+    input  logic signed [rc2_pkg::CoordW + 2-1:0] odd_i,
     input  logic        [rc2_pkg::RatioW-1:0] ratio_i,
-    output logic signed [        BorderW-1:0] last_o
+    output logic signed [rc2_pkg::StopW-1:0] last_o
 );
+  localparam int unsigned OddW = rc2_pkg::CoordW + 2;
+  localparam int unsigned BorderW = rc2_pkg::StopW;
   localparam int unsigned RatioF = rc2_pkg::RatioF;
   localparam int unsigned SizeW = rc2_pkg::CoordW + 1;
   localparam int unsigned ProdW = SizeW + rc2_pkg::RatioW;

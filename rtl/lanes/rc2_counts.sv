@@ -5,48 +5,46 @@
 // and slows nobody down; what it costs is not part of the cell. Where a target is it works out by
 // division, not by the cell's ratios and slopes.
 
-module rc2_counts #(
-    localparam int unsigned N = rc2_pkg::N,
-    localparam int unsigned M = rc2_pkg::ClassM,
-    localparam int unsigned CoordW = rc2_pkg::CoordW,
-    localparam int unsigned HomeW = rc2_pkg::HomeW,
-    localparam int unsigned StopW = rc2_pkg::StopW,
-    localparam int unsigned WeightsW = rc2_pkg::WeightsW
-) (
+module rc2_counts (
     input  logic                              clk_i,
     input  logic                              rst_ni,
     input  logic                              start_i,
     input  rc2_pkg::light_t                   light_i,
     input  logic        [rc2_pkg::CountW-1:0] step_i,    // of the side beams here
-    input  logic        [              N-1:0] occupied_i,
+    input  logic        [rc2_pkg::N-1:0] occupied_i,
     // targets of the classes of this step: all, and those that stay in the cube
     input  logic                              here_i,    // side beams come by in this step
-    input  logic        [       WeightsW-1:0] x_all_i,
-    input  logic        [       WeightsW-1:0] x_kept_i,
-    input  logic        [       WeightsW-1:0] y_all_i,
-    input  logic        [       WeightsW-1:0] y_kept_i,
+    input  logic        [rc2_pkg::WeightsW-1:0] x_all_i,
+    input  logic        [rc2_pkg::WeightsW-1:0] x_kept_i,
+    input  logic        [rc2_pkg::WeightsW-1:0] y_all_i,
+    input  logic        [rc2_pkg::WeightsW-1:0] y_kept_i,
     // the z lane
     input  logic        [rc2_pkg::MatrixW-1:0] front_i,
     input  logic                              stopped_i,
     input  logic                              last_i,
-    input  logic        [         CoordW-1:0] z_i,
+    input  logic        [rc2_pkg::CoordW-1:0] z_i,
     // the side lane
     input  logic                              load_i,
     input  rc2_pkg::lane_t                    load_beam_i,
     input  rc2_pkg::lane_t                    loaded_i,
     input  logic                              serve_i,
     input  rc2_pkg::lane_t                    served_i,
-    input  logic signed [          StopW-1:0] free_min_i,
-    input  logic signed [          StopW-1:0] free_max_i,
-    input  logic signed [          StopW-1:0] end_i,
-    input  logic        [                3:0] ways_i,    // in the cube: {y down, y up, x down, x up}
+    input  logic signed [rc2_pkg::StopW-1:0] free_min_i,
+    input  logic signed [rc2_pkg::StopW-1:0] free_max_i,
+    input  logic signed [rc2_pkg::StopW-1:0] end_i,
+    input  logic        [3:0] ways_i,    // in the cube: {y down, y up, x down, x up}
     // readback
-    input  logic        [         CoordW-1:0] read_addr_i,
-    output logic        [          HomeW-1:0] count_o,   // of the address in the cycle before
+    input  logic        [rc2_pkg::CoordW-1:0] read_addr_i,
+    output logic        [rc2_pkg::HomeW-1:0] count_o,   // of the address in the cycle before
     // targets on their way home
-    input  logic        [          HomeW-1:0] home_i,
-    output logic        [          HomeW-1:0] home_o
+    input  logic        [rc2_pkg::HomeW-1:0] home_i,
+    output logic        [rc2_pkg::HomeW-1:0] home_o
 );
+  localparam int unsigned N = rc2_pkg::N;
+  localparam int unsigned M = rc2_pkg::ClassM;
+  localparam int unsigned CoordW = rc2_pkg::CoordW;
+  localparam int unsigned HomeW = rc2_pkg::HomeW;
+  localparam int unsigned WeightsW = rc2_pkg::WeightsW;
   localparam int unsigned ExtentW = rc2_pkg::ExtentW;
 
   // ---- Targets of the z lane's front ---------------------------------------------------------------

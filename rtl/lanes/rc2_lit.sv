@@ -3,18 +3,17 @@
 // Which voxels of a column light has reached: a bit each, right for L at least as large as the
 // number of steps (a smaller L leaves voxels between two rays, which a run of marks covers).
 
-module rc2_lit #(
-    localparam int unsigned N = rc2_pkg::N
-) (
+module rc2_lit (
     input  logic                       clk_i,
     input  logic                       start_i,
-    input  logic [              N-1:0] occupied_i,
-    input  logic [              N-1:0] marks_i,      // of side beams
+    input  logic [rc2_pkg::N-1:0] occupied_i,
+    input  logic [rc2_pkg::N-1:0] marks_i,      // of side beams
     input  logic                       reached_i,    // by a z lane
     input  logic [rc2_pkg::CoordW-1:0] z_i,
     input  logic [rc2_pkg::CoordW-1:0] read_addr_i,
     output logic                       lit_o         // of the address in the cycle before
 );
+  localparam int unsigned N = rc2_pkg::N;
   logic [N-1:0] lit_q, reached;
   always_comb begin
     reached = '0;

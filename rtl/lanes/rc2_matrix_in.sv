@@ -3,19 +3,18 @@
 // The next front of a z lane in one voxel: along each axis the classes that have come, then those
 // that have stayed. The converse of rc2_matrix_out. Combinational.
 
-module rc2_matrix_in #(
-    localparam int unsigned M = rc2_pkg::ClassM,
-    localparam int unsigned ClassW = rc2_pkg::ClassW,
-    localparam int unsigned MatrixW = rc2_pkg::MatrixW
-) (
-    input  logic [ ClassW-1:0] u_come_i,
-    input  logic [ ClassW-1:0] v_come_i,
-    input  logic [MatrixW-1:0] own_i,
-    input  logic [MatrixW-1:0] x_i,
-    input  logic [MatrixW-1:0] y_i,
-    input  logic [MatrixW-1:0] xy_i,
-    output logic [MatrixW-1:0] front_o
+module rc2_matrix_in (
+    input  logic [rc2_pkg::ClassW-1:0] u_come_i,
+    input  logic [rc2_pkg::ClassW-1:0] v_come_i,
+    input  logic [rc2_pkg::MatrixW-1:0] own_i,
+    input  logic [rc2_pkg::MatrixW-1:0] x_i,
+    input  logic [rc2_pkg::MatrixW-1:0] y_i,
+    input  logic [rc2_pkg::MatrixW-1:0] xy_i,
+    output logic [rc2_pkg::MatrixW-1:0] front_o
 );
+  localparam int unsigned M = rc2_pkg::ClassM;
+  localparam int unsigned ClassW = rc2_pkg::ClassW;
+  localparam int unsigned MatrixW = rc2_pkg::MatrixW;
   logic [M-1:0] v_comes;
   for (genvar j = 0; j < M; j++) begin : g_comes
     assign v_comes[j] = (ClassW'(j) < v_come_i);

@@ -4,20 +4,19 @@
 // light of U class i and V class j and goes where these two go. Four matrices leave: what stays,
 // what goes along x, along y, and both. Combinational.
 
-module rc2_matrix_out #(
-    localparam int unsigned M = rc2_pkg::ClassM,
-    localparam int unsigned MatrixW = rc2_pkg::MatrixW
-) (
-    input  logic           [MatrixW-1:0] front_i,
+module rc2_matrix_out (
+    input  logic           [rc2_pkg::MatrixW-1:0] front_i,
     input  logic           [rc2_pkg::ClassW-1:0] u_stay_i,   // classes that have targets that stay
     input  logic           [rc2_pkg::ClassW-1:0] u_leave_i,  // first class that has others
     input  logic           [rc2_pkg::ClassW-1:0] v_stay_i,
     input  logic           [rc2_pkg::ClassW-1:0] v_leave_i,
-    output logic           [MatrixW-1:0] own_o,
-    output logic           [MatrixW-1:0] x_o,
-    output logic           [MatrixW-1:0] y_o,
-    output logic           [MatrixW-1:0] xy_o
+    output logic           [rc2_pkg::MatrixW-1:0] own_o,
+    output logic           [rc2_pkg::MatrixW-1:0] x_o,
+    output logic           [rc2_pkg::MatrixW-1:0] y_o,
+    output logic           [rc2_pkg::MatrixW-1:0] xy_o
 );
+  localparam int unsigned M = rc2_pkg::ClassM;
+  localparam int unsigned MatrixW = rc2_pkg::MatrixW;
   logic [M-1:0] v_stays;
   for (genvar j = 0; j < M; j++) begin : g_stays
     assign v_stays[j] = (rc2_pkg::ClassW'(j) < v_stay_i);

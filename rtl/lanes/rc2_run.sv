@@ -2,15 +2,14 @@
 //
 // The first run of stops in a column at or above voxel from_i. Combinational.
 
-module rc2_run #(
-    localparam int unsigned N = rc2_pkg::N
-) (
-    input  logic [              N-1:0] stops_i,
+module rc2_run (
+    input  logic [rc2_pkg::N-1:0] stops_i,
     input  logic [rc2_pkg::CountW-1:0] from_i,
     output logic                       found_o,
     output logic [rc2_pkg::CountW-1:0] first_o,  // its first voxel
-    output logic [rc2_pkg::CountW-1:0] end_o     // the first voxel above it, N at the top
+    output logic [rc2_pkg::CountW-1:0] end_o     // the first voxel above it, rc2_pkg::N at the top
 );
+  localparam int unsigned N = rc2_pkg::N;
   localparam int unsigned CountW = rc2_pkg::CountW;
 
   logic [N-1:0] above, start;

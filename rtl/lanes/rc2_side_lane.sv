@@ -11,53 +11,52 @@
 // cycle one interval of free targets goes on, to all who get a part of it or to none. room_i tells
 // which neighbours have a free place; what is sent to them is in their FIFO in the next cycle.
 
-module rc2_side_lane #(
-    localparam int unsigned N = rc2_pkg::N,
-    localparam int unsigned M = rc2_pkg::ClassM,
-    localparam int unsigned CoordW = rc2_pkg::CoordW,
-    localparam int unsigned OffW = rc2_pkg::OffW,
-    localparam int unsigned StopW = rc2_pkg::StopW,
-    localparam int unsigned TargetW = rc2_pkg::TargetW
-) (
+module rc2_side_lane (
     input  logic                              clk_i,
     input  logic                              rst_ni,
     input  logic                              start_i,
     input  rc2_pkg::light_t                   light_i,
-    input  logic        [         CoordW-1:0] x_i,
-    input  logic        [         CoordW-1:0] y_i,
-    input  logic signed [           OffW-1:0] dx_i,       // from the light
-    input  logic signed [           OffW-1:0] dy_i,
+    input  logic        [rc2_pkg::CoordW-1:0] x_i,
+    input  logic        [rc2_pkg::CoordW-1:0] y_i,
+    input  logic signed [rc2_pkg::OffW-1:0] dx_i,       // from the light
+    input  logic signed [rc2_pkg::OffW-1:0] dy_i,
     input  logic        [rc2_pkg::CountW-1:0] step_i,     // the larger of the two, as a distance
     input  rc2_pkg::pace_t                    pace_i,
     input  rc2_pkg::cut_t                     along_x_i,  // classes of this step's x targets
     input  rc2_pkg::cut_t                     along_y_i,
-    input  logic        [              N-1:0] stops_i,
+    input  logic        [rc2_pkg::N-1:0] stops_i,
     // links, bit d for direction d of rc2_pkg
-    input  logic        [                7:0] valid_i,
+    input  logic        [7:0] valid_i,
     input  rc2_pkg::lane_t                    straight_i,
     input  rc2_pkg::lane_t                    diagonal_i,
-    output logic        [                7:0] room_o,
-    output logic        [                7:0] valid_o,
+    output logic        [7:0] room_o,
+    output logic        [7:0] valid_o,
     output rc2_pkg::lane_t                    straight_o,
     output rc2_pkg::lane_t                    diagonal_o,
-    input  logic        [                7:0] room_i,
+    input  logic        [7:0] room_i,
     // voxels that light reaches
-    output logic        [              N-1:0] marks_o,
+    output logic        [rc2_pkg::N-1:0] marks_o,
     // what happens in this cycle, for who counts: the classes of the side beams are here; a beam
     // is chosen and clipped to the cube; a beam is served
     output logic                              here_o,
-    output logic        [                3:0] ways_o,     // in the cube: {y down, y up, x down, x up}
+    output logic        [3:0] ways_o,     // in the cube: {y down, y up, x down, x up}
     output logic                              load_o,
     output rc2_pkg::lane_t                    load_beam_o,
     output rc2_pkg::lane_t                    loaded_o,
     output logic                              serve_o,
     output rc2_pkg::lane_t                    served_o,
-    output logic signed [          StopW-1:0] free_min_o,
-    output logic signed [          StopW-1:0] free_max_o,
-    output logic signed [          StopW-1:0] end_o,
+    output logic signed [rc2_pkg::StopW-1:0] free_min_o,
+    output logic signed [rc2_pkg::StopW-1:0] free_max_o,
+    output logic signed [rc2_pkg::StopW-1:0] end_o,
     output logic        [rc2_pkg::QueueW-1:0] queue_o,
     output logic                              busy_o
 );
+  localparam int unsigned N = rc2_pkg::N;
+  localparam int unsigned M = rc2_pkg::ClassM;
+  localparam int unsigned CoordW = rc2_pkg::CoordW;
+  localparam int unsigned OffW = rc2_pkg::OffW;
+  localparam int unsigned StopW = rc2_pkg::StopW;
+  localparam int unsigned TargetW = rc2_pkg::TargetW;
   localparam int unsigned LaneW = rc2_pkg::LaneW;
   localparam int unsigned Depth = (rc2_pkg::FAMAX + 1) / 2;
   localparam int unsigned DepthW = $clog2(Depth + 1);
@@ -247,6 +246,8 @@ module rc2_side_lane #(
   end
 
   // ---- State -------------------------------------------------------------------------------------
+  logic [TargetW-1:0] far;
+  assign far = TargetW'(light_i.distance);
   logic second_q;  // the light's beam along y is still to come
   assign free = !beam_q || (serve && !more && !second_q);
   always_ff @(posedge clk_i) begin
@@ -263,8 +264,8 @@ module rc2_side_lane #(
     end
     if (start_i) begin
       beam_bits_q.along_y <= 1'b0;
-      beam_bits_q.vmin    <= -TargetW'(light_i.distance);
-      beam_bits_q.vmax    <= TargetW'(light_i.distance);
+      beam_bits_q.vmin    <= -far;
+      beam_bits_q.vmax    <= far;
       beam_bits_q.edge_u  <= 1'b1;
       beam_bits_q.classes <= M'(1);
     end else if (load) begin

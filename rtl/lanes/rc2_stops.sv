@@ -9,11 +9,7 @@
 // one more for each run in it. A miss costs two cycles more. The same two multipliers mark the
 // voxels that a served beam lights, two cycles after it is served.
 
-module rc2_stops #(
-    localparam int unsigned N = rc2_pkg::N,
-    localparam int unsigned StopW = rc2_pkg::StopW,
-    localparam int unsigned TargetW = rc2_pkg::TargetW
-) (
+module rc2_stops (
     input  logic                              clk_i,
     input  logic                              rst_ni,
     input  logic                              start_i,
@@ -23,23 +19,26 @@ module rc2_stops #(
     input  logic        [rc2_pkg::SlopeW-1:0] slope_i,  // k/L
     input  logic        [rc2_pkg::CoordW-1:0] zs_i,
     input  logic        [rc2_pkg::DistanceW-1:0] distance_i,
-    input  logic        [              N-1:0] stops_i,
+    input  logic        [rc2_pkg::N-1:0] stops_i,
     // targets that are in the cube here
-    output logic signed [          StopW-1:0] clip_min_o,
-    output logic signed [          StopW-1:0] clip_max_o,
+    output logic signed [rc2_pkg::StopW-1:0] clip_min_o,
+    output logic signed [rc2_pkg::StopW-1:0] clip_max_o,
     // what becomes of targets min_i .. max_i, see StopTable::Passage in sw/cycle/stop_table.h
     input  logic                              ask_i,
-    input  logic signed [        TargetW-1:0] min_i,
-    input  logic signed [        TargetW-1:0] max_i,
+    input  logic signed [rc2_pkg::TargetW-1:0] min_i,
+    input  logic signed [rc2_pkg::TargetW-1:0] max_i,
     output logic                              known_o,
-    output logic signed [          StopW-1:0] free_min_o,
-    output logic signed [          StopW-1:0] free_max_o,
-    output logic signed [          StopW-1:0] end_o,
+    output logic signed [rc2_pkg::StopW-1:0] free_min_o,
+    output logic signed [rc2_pkg::StopW-1:0] free_max_o,
+    output logic signed [rc2_pkg::StopW-1:0] end_o,
     // voxels that targets min_i .. end_o reach
     input  logic                              mark_i,
-    output logic        [              N-1:0] marks_o,
+    output logic        [rc2_pkg::N-1:0] marks_o,
     output logic                              busy_o
 );
+  localparam int unsigned N = rc2_pkg::N;
+  localparam int unsigned StopW = rc2_pkg::StopW;
+  localparam int unsigned TargetW = rc2_pkg::TargetW;
   localparam int unsigned CoordW = rc2_pkg::CoordW;
   localparam int unsigned CountW = rc2_pkg::CountW;
   localparam int unsigned RUNS = rc2_pkg::RUNS;

@@ -10,9 +10,7 @@
 // what it gets comes from the opposite sides. Latency one step; thesis 4.3.4 is the voxel-by-voxel
 // way to the same targets.
 
-module rc2_z_lanes #(
-    localparam int unsigned MatrixW = rc2_pkg::MatrixW
-) (
+module rc2_z_lanes (
     input  logic                             clk_i,
     input  logic                             rst_ni,
     input  logic                             start_i,
@@ -22,19 +20,20 @@ module rc2_z_lanes #(
     input  rc2_pkg::cut_t                    v_i,
     input  logic       [rc2_pkg::ClassW-1:0] u_come_i,
     input  logic       [rc2_pkg::ClassW-1:0] v_come_i,
-    input  logic       [     rc2_pkg::N-1:0] stops_i,
-    output logic       [        MatrixW-1:0] x_o,
-    output logic       [        MatrixW-1:0] y_o,
-    output logic       [        MatrixW-1:0] xy_o,
-    input  logic       [        MatrixW-1:0] x_i,
-    input  logic       [        MatrixW-1:0] y_i,
-    input  logic       [        MatrixW-1:0] xy_i,
+    input  logic       [rc2_pkg::N-1:0] stops_i,
+    output logic       [rc2_pkg::MatrixW-1:0] x_o,
+    output logic       [rc2_pkg::MatrixW-1:0] y_o,
+    output logic       [rc2_pkg::MatrixW-1:0] xy_o,
+    input  logic       [rc2_pkg::MatrixW-1:0] x_i,
+    input  logic       [rc2_pkg::MatrixW-1:0] y_i,
+    input  logic       [rc2_pkg::MatrixW-1:0] xy_i,
     // the front of this cycle: it reaches voxel z_o, and is stopped there
-    output logic       [        MatrixW-1:0] front_o,
+    output logic       [rc2_pkg::MatrixW-1:0] front_o,
     output logic                             reached_o,
     output logic                             stopped_o,
     output logic       [rc2_pkg::CoordW-1:0] z_o
 );
+  localparam int unsigned MatrixW = rc2_pkg::MatrixW;
   logic [MatrixW-1:0] up_q, down_q, passing, own, next;
   logic stop_q;
   logic [rc2_pkg::CoordW-1:0] z_q;
