@@ -90,7 +90,8 @@ module rc2_cell (
   logic [CoordW-1:0] light_addr;
   logic [HomeW-1:0] arrived;
   logic [rc2_pkg::ValueW-1:0] visits_q;
-  logic [rc2_pkg::QueueW-1:0] deepest_q;
+  logic [rc2_pkg::QueueW-1:0] deepest;
+  logic [15:0] signature;
   rc2_voxels u_voxels (
       .clk_i       (clk_i),
       .rst_ni      (rst_ni),
@@ -105,7 +106,7 @@ module rc2_cell (
       .light_addr_o(light_addr),
       .light_i     (arrived),
       .visits_i    (visits_q),
-      .deepest_i   (deepest_q),
+      .history_i   ({signature, deepest}),
       .busy_o      (voxels_busy)
   );
 
@@ -126,8 +127,10 @@ module rc2_cell (
 
   // ---- z lanes ---------------------------------------------------------------------------------------
   logic [MatrixW-1:0] from_x, from_y, from_xy, front;
+  /*verilator tracing_on*/
   logic reached, stopped;
   logic [CoordW-1:0] z;
+  /*verilator tracing_off*/
   assign from_x = east ? z4_i : z0_i;
   assign from_y = north ? z6_i : z2_i;
   assign from_xy = north ? (east ? z5_i : z7_i) : (east ? z3_i : z1_i);
@@ -263,16 +266,21 @@ module rc2_cell (
     assign home_o = '0;
   end
 
-  // Visits of the light and the deepest queue, for whoever wants to know where the time went.
+  // Visits of the light and how deep the queues were, for whoever wants to know where the time went.
   always_ff @(posedge clk_i) begin
-    if (!rst_ni || start_i) begin
-      visits_q  <= '0;
-      deepest_q <= '0;
-    end else begin
-      visits_q <= visits_q + rc2_pkg::ValueW'(served) + rc2_pkg::ValueW'(reached && pace_i.step != 0);
-      if (queue > deepest_q) deepest_q <= queue;
-    end
+    if (!rst_ni || start_i) visits_q <= '0;
+    else visits_q <= visits_q + rc2_pkg::ValueW'(served) + rc2_pkg::ValueW'(reached && pace_i.step != 0);
   end
+  rc2_history #(
+      .Width(rc2_pkg::QueueW)
+  ) u_history (
+      .clk_i      (clk_i),
+      .rst_ni     (rst_ni),
+      .start_i    (start_i),
+      .depth_i    (queue),
+      .deepest_o  (deepest),
+      .signature_o(signature)
+  );
 
   assign busy_o = voxels_busy || side_busy;
 

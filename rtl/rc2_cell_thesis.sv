@@ -64,7 +64,8 @@ module rc2_cell_thesis (
   localparam int unsigned ExtentW = rc2_pkg::ExtentW;
 
   logic [rc2_pkg::ValueW-1:0] visits_q;
-  logic [rc2_pkg::QueueW-1:0] deepest_q;
+  logic [rc2_pkg::QueueW-1:0] deepest;
+  logic [15:0] signature;
   logic [rc2_pkg::N-1:0] occupied;
 
   // ---- The column ----------------------------------------------------------------------------------
@@ -85,7 +86,7 @@ module rc2_cell_thesis (
       .light_addr_o(light_addr),
       .light_i     (arrived),
       .visits_i    (visits_q),
-      .deepest_i   (deepest_q),
+      .history_i   ({signature, deepest}),
       .busy_o      (voxels_busy)
   );
 
@@ -182,14 +183,19 @@ module rc2_cell_thesis (
 
   // Beams served and the deepest queue, for whoever wants to know where the time went.
   always_ff @(posedge clk_i) begin
-    if (!rst_ni || start_i) begin
-      visits_q  <= '0;
-      deepest_q <= '0;
-    end else begin
-      if (finished) visits_q <= visits_q + 1'b1;
-      if (queue > deepest_q) deepest_q <= queue;
-    end
+    if (!rst_ni || start_i) visits_q <= '0;
+    else if (finished) visits_q <= visits_q + 1'b1;
   end
+  rc2_history #(
+      .Width(rc2_pkg::QueueW)
+  ) u_history (
+      .clk_i      (clk_i),
+      .rst_ni     (rst_ni),
+      .start_i    (start_i),
+      .depth_i    (queue),
+      .deepest_o  (deepest),
+      .signature_o(signature)
+  );
 
   // ---- Targets that arrive -------------------------------------------------------------------------
   logic arrivals_busy;

@@ -36,7 +36,7 @@ module rc2_column (
     input  logic [ rc2_pkg::HomeW-1:0] light_i,
     // counters
     input  logic [rc2_pkg::ValueW-1:0] visits_i,
-    input  logic [rc2_pkg::QueueW-1:0] deepest_i,
+    input  logic [rc2_pkg::HistoryW-1:0] history_i,
     // readback
     input  logic                       read_i,
     input  logic [                1:0] read_what_i,
@@ -146,7 +146,7 @@ module rc2_column (
       rc2_pkg::ReadLayers:
       data_o.value = ValueW'({thin[first_z], solid[first_z], shown[first_z], occupied_q[first_z]});
       rc2_pkg::ReadLight:  data_o.value = ValueW'(light_i);
-      default:             data_o.value = (first_z == 0) ? visits_i : ValueW'(deepest_i);
+      default:             data_o.value = (first_z == 0) ? visits_i : ValueW'(history_i);
     endcase
   end
 

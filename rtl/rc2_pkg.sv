@@ -80,6 +80,7 @@ package rc2_pkg;
   localparam int unsigned HomeW = $clog2(24 * LMAX * LMAX + 3);  // all targets of a source
   // Beams of a cell: FA; in lanes two FIFOs of FA/2, rounded up, and the beam that is served.
   localparam int unsigned QueueW = $clog2(FAMAX + 3);
+  localparam int unsigned HistoryW = 16 + QueueW;  // {signature, deepest} of rc2_history
   // k/L, rounded down: times a target it is right to less than 1/2L. The host gives 1/L.
   localparam int unsigned SlopeF = 2 * DistanceW + 2;
   localparam int unsigned SlopeW = CoordW + SlopeF;
@@ -115,7 +116,7 @@ package rc2_pkg;
 
   localparam logic [1:0] ReadVoxels = 2'd0;    // claim of the owner of each occupied voxel
   localparam logic [1:0] ReadLight = 2'd1;     // targets arrived at each occupied voxel
-  localparam logic [1:0] ReadCounters = 2'd2;  // z=0: beams served; z=1: deepest queue
+  localparam logic [1:0] ReadCounters = 2'd2;  // z=0: beams served; z=1: how deep the queue was
   localparam logic [1:0] ReadLayers = 2'd3;    // {thin, inside, shown, armour} of each voxel in any
 
   // What a packet does with the voxels that it fills.
@@ -176,12 +177,12 @@ package rc2_pkg;
 
   // Constants of one light, steady while it runs.
   typedef struct packed {
+    logic [SlopeW-1:0]    inverse;   // 1/L, rounded down (in lanes)
     logic [CoordW-1:0]    xs;
     logic [CoordW-1:0]    ys;
     logic [CoordW-1:0]    zs;
     logic [DistanceW-1:0] distance;  // L
     logic [QueueW-1:0]    fa;        // places of the queue in use, 1 .. FAMAX
-    logic [SlopeW-1:0]    inverse;   // 1/L, rounded down (in lanes)
   } light_t;
 
   // ---- Light in lanes ------------------------------------------------------------------------

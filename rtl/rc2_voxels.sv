@@ -21,7 +21,7 @@ module rc2_voxels (
     output logic           [rc2_pkg::CoordW-1:0] light_addr_o,
     input  logic           [ rc2_pkg::HomeW-1:0] light_i,  // of the address in the cycle before
     input  logic           [rc2_pkg::ValueW-1:0] visits_i,
-    input  logic           [rc2_pkg::QueueW-1:0] deepest_i,
+    input  logic [rc2_pkg::HistoryW-1:0] history_i,
     output logic                               busy_o
 );
   localparam int unsigned N = rc2_pkg::N;
@@ -143,7 +143,7 @@ module rc2_voxels (
       .light_addr_o     (light_addr_o),
       .light_i          (light_i),
       .visits_i         (visits_i),
-      .deepest_i        (deepest_i),
+      .history_i        (history_i),
       .read_i           (read),
       .read_what_i      (unit_rest[1:0]),
       .read_done_o      (read_done),

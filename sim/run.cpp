@@ -31,6 +31,8 @@ report::Report describe(const RunOptions& options, const Job& job) {
   report.machine = options.machine;
   report.rule = options.rule;
   report.light_rule = options.light_rule;
+  report.mode = options.mode;
+  report.hop_stages = hop_stages(options.light_mode());
   report.n = options.n;
   report.fraction_bits = options.fraction_bits;
   report.target_distance = options.distance();

@@ -17,6 +17,7 @@
 #include "sim/wave_list.h"
 #include "sw/machine/checks.h"
 #include "sw/machine/feeder.h"
+#include "sw/machine/queue_history.h"
 
 namespace rc2 {
 namespace {
@@ -167,11 +168,20 @@ class VerilatedMachine final : public Machine {
       throw std::logic_error(fmt::format("conservation is broken: {} of {} targets came home", home,
                                          result.targets.total));
     }
-    for (const auto& record : read_back(ReadWhat::counters)) {
-      if (record.at.z == 0) result.visits += record.value;
-      if (record.at.z == 1)
-        result.max_queue = std::max<std::int64_t>(result.max_queue, record.value);
+    // Of each cell its visits and, above the deepest queue, the signature of all its queues.
+    const int depth_bits = bits_for(config_.max_fa + 3);
+    QueueHistory history(static_cast<std::size_t>(config_.n) * static_cast<std::size_t>(config_.n));
+    for (const auto& [at, value] : read_back(ReadWhat::counters)) {
+      if (at.z == 0) {
+        result.visits += value;
+      } else {
+        const std::uint32_t deepest = value & ((1U << depth_bits) - 1);
+        result.max_queue = std::max<std::int64_t>(result.max_queue, deepest);
+        history.set(static_cast<std::size_t>(at.y * config_.n + at.x),
+                    static_cast<std::uint16_t>(value >> depth_bits));
+      }
     }
+    result.queue_history = history.signature();
     return result;
   }
 

@@ -12,6 +12,7 @@
 // which neighbours have a free place; what is sent to them is in their FIFO in the next cycle.
 
 module rc2_side_lane (
+    /*verilator tracing_off*/
     input  logic                              clk_i,
     input  logic                              rst_ni,
     input  logic                              start_i,
@@ -45,8 +46,10 @@ module rc2_side_lane (
     output rc2_pkg::lane_t                    loaded_o,
     output logic                              serve_o,
     output rc2_pkg::lane_t                    served_o,
+    /*verilator tracing_on*/
     output logic signed [rc2_pkg::StopW-1:0] free_min_o,
     output logic signed [rc2_pkg::StopW-1:0] free_max_o,
+    /*verilator tracing_off*/
     output logic signed [rc2_pkg::StopW-1:0] end_o,
     output logic        [rc2_pkg::QueueW-1:0] queue_o,
     output logic                              busy_o
@@ -135,7 +138,10 @@ module rc2_side_lane (
 
   // ---- The next beam -----------------------------------------------------------------------------
   logic beam_q, free, load, both, joined, straight_first;
-  rc2_pkg::lane_t beam_bits_q, chosen, clipped;
+  /*verilator tracing_on*/
+  rc2_pkg::lane_t beam;
+  /*verilator tracing_off*/
+  rc2_pkg::lane_t chosen, clipped;
   logic signed [StopW-1:0] clip_min, clip_max;
   assign both = (straight_count != 0) && (diagonal_count != 0);
   assign joined = both && (straight.vmin == diagonal.vmin) && (straight.vmax == diagonal.vmax);
@@ -157,7 +163,10 @@ module rc2_side_lane (
   assign left = ($signed(clipped.vmin) <= $signed(clipped.vmax));
 
   // ---- The beam that is served -------------------------------------------------------------------
-  logic known, go, serve, passes, more;
+  /*verilator tracing_on*/
+  logic serve;
+  /*verilator tracing_off*/
+  logic known, go, passes, more;
   logic signed [StopW-1:0] free_min, free_max, last, end_all;
   logic stops_busy;
   rc2_stops u_stops (
@@ -174,8 +183,8 @@ module rc2_side_lane (
       .clip_min_o(clip_min),
       .clip_max_o(clip_max),
       .ask_i     (beam_q),
-      .min_i     ($signed(beam_bits_q.vmin)),
-      .max_i     ($signed(beam_bits_q.vmax)),
+      .min_i     ($signed(beam.vmin)),
+      .max_i     ($signed(beam.vmax)),
       .known_o   (known),
       .free_min_o(free_min),
       .free_max_o(free_max),
@@ -186,8 +195,8 @@ module rc2_side_lane (
   );
   // The light's own voxel is free, and all its beams are in it.
   logic signed [StopW-1:0] beam_min, beam_max;
-  assign beam_min = StopW'($signed(beam_bits_q.vmin));
-  assign beam_max = StopW'($signed(beam_bits_q.vmax));
+  assign beam_min = StopW'($signed(beam.vmin));
+  assign beam_max = StopW'($signed(beam.vmax));
   assign free_min_o = source ? beam_min : free_min;
   assign free_max_o = source ? beam_max : free_max;
   assign last = source ? beam_max : end_all;
@@ -201,47 +210,47 @@ module rc2_side_lane (
   logic ahead_up, ahead_down, aside_up, aside_down;  // ways that are outward and in the cube
   logic straight_some, up_some, down_some;
   logic x_up, x_down, y_up, y_down;
-  assign cut = beam_bits_q.along_y ? along_x_q : along_y_q;
+  assign cut = beam.along_y ? along_x_q : along_y_q;
   assign here_o = here;
   assign ways_o = {y_down, y_up, x_down, x_up};
   assign x_up = !dx_i[OffW-1] && (x_i != Last);
   assign x_down = (dx_i <= 0) && (x_i != 0);
   assign y_up = !dy_i[OffW-1] && (y_i != Last);
   assign y_down = (dy_i <= 0) && (y_i != 0);
-  assign ahead_up = beam_bits_q.along_y ? y_up : x_up;
-  assign ahead_down = beam_bits_q.along_y ? y_down : x_down;
-  assign aside_up = beam_bits_q.along_y ? x_up : y_up;
-  assign aside_down = beam_bits_q.along_y ? x_down : y_down;
+  assign ahead_up = beam.along_y ? y_up : x_up;
+  assign ahead_down = beam.along_y ? y_down : x_down;
+  assign aside_up = beam.along_y ? x_up : y_up;
+  assign aside_down = beam.along_y ? x_down : y_down;
   for (genvar i = 0; i < M; i++) begin : g_stays
-    assign stays[i] = beam_bits_q.classes[i] && (rc2_pkg::ClassW'(i) < cut.stay);
+    assign stays[i] = beam.classes[i] && (rc2_pkg::ClassW'(i) < cut.stay);
   end
-  assign leaves = beam_bits_q.classes >> cut.leave;
+  assign leaves = beam.classes >> cut.leave;
   assign straight_some = (stays != 0);
-  assign up_some = aside_up && ((cut.up && leaves != 0) || beam_bits_q.edge_u);
-  assign down_some = aside_down && ((cut.down && leaves != 0) || beam_bits_q.edge_u);
+  assign up_some = aside_up && ((cut.up && leaves != 0) || beam.edge_u);
+  assign down_some = aside_down && ((cut.down && leaves != 0) || beam.edge_u);
 
   // For a beam along x: ahead is x, aside is y; else the other way round.
   logic [7:0] wanted;
-  assign wanted[0] = beam_bits_q.along_y ? 1'b0 : ahead_up && straight_some;
-  assign wanted[4] = beam_bits_q.along_y ? 1'b0 : ahead_down && straight_some;
-  assign wanted[2] = beam_bits_q.along_y ? ahead_up && straight_some : 1'b0;
-  assign wanted[6] = beam_bits_q.along_y ? ahead_down && straight_some : 1'b0;
+  assign wanted[0] = beam.along_y ? 1'b0 : ahead_up && straight_some;
+  assign wanted[4] = beam.along_y ? 1'b0 : ahead_down && straight_some;
+  assign wanted[2] = beam.along_y ? ahead_up && straight_some : 1'b0;
+  assign wanted[6] = beam.along_y ? ahead_down && straight_some : 1'b0;
   assign wanted[1] = ahead_up && up_some;
-  assign wanted[3] = beam_bits_q.along_y ? ahead_up && down_some : ahead_down && up_some;
+  assign wanted[3] = beam.along_y ? ahead_up && down_some : ahead_down && up_some;
   assign wanted[5] = ahead_down && down_some;
-  assign wanted[7] = beam_bits_q.along_y ? ahead_down && up_some : ahead_up && down_some;
+  assign wanted[7] = beam.along_y ? ahead_down && up_some : ahead_up && down_some;
 
   assign go = !passes || ((wanted & ~room_i) == 0);
   assign serve = beam_q && set_q && (source || known) && go;
   assign valid_o = (serve && passes) ? wanted : 8'd0;
   always_comb begin
-    straight_o.along_y = beam_bits_q.along_y;
+    straight_o.along_y = beam.along_y;
     straight_o.vmin    = TargetW'(free_min_o);
     straight_o.vmax    = TargetW'(free_max_o);
     straight_o.edge_u  = 1'b0;
     straight_o.classes = stays;
     diagonal_o         = straight_o;
-    diagonal_o.edge_u  = beam_bits_q.edge_u;
+    diagonal_o.edge_u  = beam.edge_u;
     diagonal_o.classes = leaves;
   end
 
@@ -263,19 +272,19 @@ module rc2_side_lane (
       if (serve) second_q <= 1'b0;
     end
     if (start_i) begin
-      beam_bits_q.along_y <= 1'b0;
-      beam_bits_q.vmin    <= -far;
-      beam_bits_q.vmax    <= far;
-      beam_bits_q.edge_u  <= 1'b1;
-      beam_bits_q.classes <= M'(1);
+      beam.along_y <= 1'b0;
+      beam.vmin    <= -far;
+      beam.vmax    <= far;
+      beam.edge_u  <= 1'b1;
+      beam.classes <= M'(1);
     end else if (load) begin
-      beam_bits_q <= clipped;
+      beam <= clipped;
     end else if (serve) begin
       if (second_q) begin
-        beam_bits_q.along_y <= 1'b1;
-        beam_bits_q.edge_u  <= 1'b0;
+        beam.along_y <= 1'b1;
+        beam.edge_u  <= 1'b0;
       end else begin
-        beam_bits_q.vmin <= TargetW'(last + 1'b1);
+        beam.vmin <= TargetW'(last + 1'b1);
       end
     end
   end
@@ -284,7 +293,7 @@ module rc2_side_lane (
   assign load_beam_o = chosen;
   assign loaded_o = clipped;
   assign serve_o = serve;
-  assign served_o = beam_bits_q;
+  assign served_o = beam;
   assign queue_o = QueueW'(straight_count) + QueueW'(diagonal_count) + QueueW'(beam_q);
   assign busy_o = (queue_o != 0) || stops_busy;
 endmodule

@@ -19,7 +19,7 @@ int farthest(const glm::ivec3& source, int n) {
 }  // namespace
 
 LaneArray::LaneArray(int n, Columns& columns)
-    : n_(n), columns_(columns), side_(n, columns), z_(n, columns) {}
+    : n_(n), columns_(columns), side_(n, columns), z_(n, columns), history_(columns.size()) {}
 
 LightResult LaneArray::run(const LightJob& job, const Observer& observer,
                            const Progress& progress) {
@@ -29,19 +29,24 @@ LightResult LaneArray::run(const LightJob& job, const Observer& observer,
   const Classes classes(job.target_distance, farthest(job.source, n_) + 1);
   z_.run(job, classes);
   side_.start(job, classes);
+  history_.start();
   std::int64_t cycle = 0, still = 0;
   while (side_.busy()) {
     ++cycle;
     if (observer) observer(cycle, side_.queues());
+    for (const std::size_t cell : side_.active()) history_.add(cell, side_.queues()[cell], cycle);
     still = side_.step(cycle) ? 0 : still + 1;
-    if (still > 4 * n_ + 64) throw std::logic_error(fmt::format("the light is stuck in cycle {}", cycle));
+    if (still > 4 * n_ + 64)
+      throw std::logic_error(fmt::format("the light is stuck in cycle {}", cycle));
     if (progress && cycle % 1024 == 0) progress("light", cycle, 0.5);
   }
-  result.cycles = std::max<std::int64_t>(side_.last_served() + 2, 2 * (farthest(job.source, n_) + 1));
+  result.cycles =
+      std::max<std::int64_t>(side_.last_served() + 2, 2 * (farthest(job.source, n_) + 1));
   result.home_cycles = std::max(side_.tally().home_cycle(), z_.tally().home_cycle());
   result.visits = side_.visits() + z_.visits();
   result.merged = side_.merged();
   result.max_queue = side_.max_queue();
+  result.queue_history = history_.signature();
   result.targets.absorbed = side_.absorbed() + z_.absorbed();
   result.targets.escaped = side_.escaped() + z_.escaped();
   if (result.targets.absorbed + result.targets.escaped != result.targets.total) {

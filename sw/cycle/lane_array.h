@@ -4,6 +4,7 @@
 #include "sw/cycle/light_array.h"
 #include "sw/cycle/side_lane.h"
 #include "sw/cycle/z_lanes.h"
+#include "sw/machine/queue_history.h"
 
 namespace rc2::cycle {
 
@@ -19,6 +20,7 @@ class LaneArray {
   Columns& columns_;
   SideLane side_;
   ZLanes z_;
+  QueueHistory history_;
 };
 
 }  // namespace rc2::cycle

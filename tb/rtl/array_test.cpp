@@ -85,6 +85,7 @@ void light_everywhere(Machines& machines, const LightJob& job, std::int64_t* cyc
   ASSERT_EQ(rtl.home_cycles, cycle.home_cycles);
   ASSERT_EQ(rtl.visits, cycle.visits);
   ASSERT_EQ(rtl.max_queue, cycle.max_queue);
+  ASSERT_EQ(rtl.queue_history, cycle.queue_history);
   if (cycles != nullptr) *cycles = rtl.cycles;
 }
 
@@ -159,6 +160,26 @@ TEST_P(RandomScenes, AgreeOnAllThreeMachines) {
       ASSERT_NO_FATAL_FAILURE(light_everywhere(machines, job, &again));
       ASSERT_EQ(again, first) << "the same light takes other cycles after another light";
     }
+  }
+}
+
+// As it would be in silicon: lit or not, at the same time.
+TEST(WithoutCounts, VoxelsAreLitWhereTargetsArrive) {
+  Machines& machines = machines_of("lit_n8");
+  ASSERT_FALSE(machines.rtl->config().counts);
+  Dice dice(8);
+  for (int i = 0; i < 60; ++i) {
+    SCOPED_TRACE("scene " + std::to_string(i));
+    const auto facets = facet::build_facets(random_scene(dice, 8), 8, 4, facet::Rule::armoured);
+    ASSERT_NO_FATAL_FAILURE(load_everywhere(machines, facets.packets));
+    glm::ivec3 source;
+    if (!pick_source(dice, 8, machines.golden.read_voxels(), source)) continue;
+    const LightJob job{source, roll(dice, 7, 32), roll(dice, 1, 32)};
+    const LightResult cycle = machines.cycle.light(job, kQuiet);
+    ASSERT_EQ(machines.rtl->light(job, kQuiet).cycles, cycle.cycles);
+    LightMemory lit = machines.cycle.read_light();
+    for (std::uint32_t& targets : lit) targets = targets != 0 ? 1 : 0;
+    ASSERT_EQ(machines.rtl->read_light(), lit);
   }
 }
 
