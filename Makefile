@@ -17,7 +17,7 @@
 ##   format    lays out the C++ files as lint wants them
 ##   clean     removes build, build-sanitize and out
 ##
-## Words for sim (N also for rtl)
+## Words for sim (N and MODE also for rtl)
 ##   MACHINE=rtl    rtl, cycle (cycle model) or golden (no notion of time)
 ##   N=16           cells per side; 128 on cycle and golden
 ##   SCENE=         a file that Assimp reads, or empty, room, ball:R, shells:PERCENT:SEED,
@@ -27,7 +27,8 @@
 ##   RULE=          which voxels a facet fills: armoured, naive, supercover, half, blindee
 ##   F=             bits of fraction of a vertex
 ##   L=             distance of the virtual faces that the light aims at
-##   FA=            depth of a cell's beam queue
+##   FA=            beams that a cell has room for
+##   MODE=fast      how light spreads: fast, in lanes; thesis, voxel by voxel (also for rtl)
 ##   OUT=out        folder of the results
 ##   A word left empty means the default of build/rc2 run --help. With MACHINE=rtl the same scene
 ##   is also lit by the cycle model with 128 cells per side, for a picture worth looking at.
@@ -38,7 +39,7 @@
 ##   make sim MACHINE=cycle N=256 SCENE=room LIGHT="100,40,200 20,20,240,1,0.5,0"
 ##   RC2_SKIP_SETUP=1 make build        leaves the system's packages alone
 
-the_words := MACHINE N SCENE LIGHT WAVES RULE F L FA OUT
+the_words := MACHINE N SCENE LIGHT WAVES RULE F L FA MODE OUT
 
 # Plain assignments: the environment cannot change a word, the command line can.
 MACHINE := rtl
@@ -50,6 +51,7 @@ RULE :=
 F :=
 L :=
 FA :=
+MODE :=
 OUT := out
 
 # A misspelt word must not pass for a default.
@@ -58,6 +60,7 @@ unknown := $(filter-out $(the_words) RC2_SKIP_SETUP,$(given))
 $(if $(unknown),$(error no word $(unknown): `make help` lists them))
 $(if $(filter-out 1,$(words $(MACHINE)))$(filter-out rtl cycle golden,$(MACHINE)),\
   $(error MACHINE=$(MACHINE): say rtl, cycle or golden))
+$(if $(filter-out fast thesis,$(MODE)),$(error MODE=$(MODE): say fast or thesis))
 $(if $(filter-out 1,$(words $(WAVES)))$(filter-out on off,$(WAVES)),\
   $(error WAVES=$(WAVES): say on or off))
 $(if $(filter on,$(WAVES)),$(if $(filter rtl,$(MACHINE)),,\
@@ -98,7 +101,7 @@ build: build/build.ninja
 rtl: build/build.ninja
 	$(if $(filter $(N),$(known_sizes)),,@grep -qx 'RC2_RTL_EXTRA_SIZE:[A-Z]*=$(N)' build/CMakeCache.txt \
 	  || cmake --log-level=NOTICE -DRC2_RTL_EXTRA_SIZE=$(N) build)
-	$(cmake_build) rtl_n$(N)
+	$(cmake_build) rtl_$(if $(filter thesis,$(MODE)),thesis_)n$(N)
 
 sim: build $(if $(filter rtl,$(MACHINE)),rtl)
 	@scripts/sim $(foreach word,$(the_words),'$(word)=$(subst ','\'',$($(word)))')
@@ -117,7 +120,7 @@ oracle: build/build.ninja
 	@build/tb/load/oracle_run --facets 1500000
 
 test: build/build.ninja
-	$(cmake_build) all $(test_sizes:%=rtl_n%)
+	$(cmake_build) all $(test_sizes:%=rtl_n%) $(test_sizes:%=rtl_thesis_n%)
 	@scripts/test build
 
 # clang-tidy reads headers that the build generates.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // n x n cells (thesis 1.3). On the west side vertical pipes feed the rows, pipe k of R the rows y =
-// k, k+R, ..; on the east side the collectors bring the readback down to row 0; each cell has its eight neighbours. Around the cells
-// lies a border of ties, so that every cell is connected by the same lines.
+// k, k+R, ..; on the east side the collectors bring the readback down to row 0. Between them the
+// cells, in thesis mode or with light in lanes.
 //
 // busy_o follows the cells by two cycles (one register per row, one for all rows).
 
@@ -25,107 +25,46 @@ module rc2_array (
 );
   localparam int unsigned N = rc2_pkg::N;
   localparam int unsigned R = rc2_pkg::FEEDERS;
-  localparam int unsigned CoordW = rc2_pkg::CoordW;
   localparam int unsigned HomeW = rc2_pkg::HomeW;
   localparam int unsigned RowWordW = rc2_pkg::RowWordW;
   localparam int unsigned HostWordW = rc2_pkg::HostWordW;
 
-  // g[y+1].c[x+1] is cell (x,y); rows and columns 0 and n+1 are the border.
-  for (genvar y = 0; y < N + 2; y++) begin : g
-    for (genvar x = 0; x < N + 2; x++) begin : c
-      /*verilator tracing_off*/  // the cells' ports show the same
-      logic [7:0] v, r;  // link valid out, link ready out
-      rc2_pkg::beam_t b0, b1, b2, b3, b4, b5, b6, b7;
-      logic [HomeW-1:0] home;
-      logic wv, wr, busy;  // word to the east, ready to the west
-      logic [RowWordW-1:0] w;
-      /*verilator tracing_on*/
-
-      if (x == 0 || x == N + 1 || y == 0 || y == N + 1) begin : t
-        assign v = 8'd0;
-        assign r = 8'd0;
-        assign b0 = '0;
-        assign b1 = '0;
-        assign b2 = '0;
-        assign b3 = '0;
-        assign b4 = '0;
-        assign b5 = '0;
-        assign b6 = '0;
-        assign b7 = '0;
-        assign home = '0;
-        assign busy = 1'b0;
-        if (x == 0 && y >= 1 && y <= N) begin : feed  // row y-1 starts here
-          assign wv = f[y].unit_valid;
-          assign w = f[y].unit_word;
-        end else begin : still
-          assign wv = 1'b0;
-          assign w = '0;
-        end
-        if (x == N + 1 && y >= 1 && y <= N) begin : collect
-          assign wr = f[y].row_ready;
-        end else begin : closed
-          assign wr = 1'b0;
-        end
-      end else begin : n
-        rc2_cell u_cell (
-            .clk_i       (clk_i),
-            .rst_ni      (rst_ni),
-            .x_i         (CoordW'(x - 1)),
-            .y_i         (CoordW'(y - 1)),
-            .clear_i     (clear_i),
-            .start_i     (start_i),
-            .light_i     (light_i),
-            .word_valid_i(g[y].c[x-1].wv),
-            .word_i      (g[y].c[x-1].w),
-            .word_ready_o(wr),
-            .word_valid_o(wv),
-            .word_o      (w),
-            .word_ready_i(g[y].c[x+1].wr),
-            // What the neighbour in direction d sends in the opposite direction.
-            .link_valid_i({
-              g[y-1].c[x+1].v[3],
-              g[y-1].c[x].v[2],
-              g[y-1].c[x-1].v[1],
-              g[y].c[x-1].v[0],
-              g[y+1].c[x-1].v[7],
-              g[y+1].c[x].v[6],
-              g[y+1].c[x+1].v[5],
-              g[y].c[x+1].v[4]
-            }),
-            .link_ready_o(r),
-            .link0_i     (g[y].c[x+1].b4),
-            .link1_i     (g[y+1].c[x+1].b5),
-            .link2_i     (g[y+1].c[x].b6),
-            .link3_i     (g[y+1].c[x-1].b7),
-            .link4_i     (g[y].c[x-1].b0),
-            .link5_i     (g[y-1].c[x-1].b1),
-            .link6_i     (g[y-1].c[x].b2),
-            .link7_i     (g[y-1].c[x+1].b3),
-            .link_valid_o(v),
-            .link_ready_i({
-              g[y-1].c[x+1].r[3],
-              g[y-1].c[x].r[2],
-              g[y-1].c[x-1].r[1],
-              g[y].c[x-1].r[0],
-              g[y+1].c[x-1].r[7],
-              g[y+1].c[x].r[6],
-              g[y+1].c[x+1].r[5],
-              g[y].c[x+1].r[4]
-            }),
-            .link0_o     (b0),
-            .link1_o     (b1),
-            .link2_o     (b2),
-            .link3_o     (b3),
-            .link4_o     (b4),
-            .link5_o     (b5),
-            .link6_o     (b6),
-            .link7_o     (b7),
-            .home_i      (g[y].c[x+1].home),
-            .home_o      (home),
-            .busy_o      (busy)
-        );
-      end
-    end
+  // ---- The cells ---------------------------------------------------------------------------------
+  logic [N-1:0] west_valid, west_ready, east_valid, east_ready, cells_busy;
+  logic [N*RowWordW-1:0] west_word, east_word;
+  logic [N*HomeW-1:0] home;
+  if (rc2_pkg::THESIS) begin : m
+    rc2_grid_thesis u_grid (
+        .clk_i       (clk_i),
+        .rst_ni      (rst_ni),
+        .clear_i     (clear_i),
+        .start_i     (start_i),
+        .light_i     (light_i),
+        .west_valid_i(west_valid),
+        .west_word_i (west_word),
+        .west_ready_o(west_ready),
+        .east_valid_o(east_valid),
+        .east_word_o (east_word),
+        .east_ready_i(east_ready),
+        .home_o      (home),
+        .busy_o      (cells_busy)
+    );
+  end else begin : l
+    rc2_grid u_grid (
+        .clk_i       (clk_i),
+        .rst_ni      (rst_ni),
+        .clear_i     (clear_i),
+        .start_i     (start_i),
+        .light_i     (light_i),
+        .west_valid_i(west_valid),
+        .west_word_i (west_word),
+        .west_ready_o(west_ready),
+        .east_valid_o(east_valid),
+        .east_word_o (east_word),
+        .east_ready_i(east_ready),
+        .home_o      (home),
+        .busy_o      (cells_busy)
+    );
   end
 
   // f[y+1]: the feeder, the collector, the target count and the busy flag of row y.
@@ -137,7 +76,6 @@ module rc2_array (
     logic back_valid, above_ready;
     logic [RowWordW-1:0] back_word;
     logic [HomeW-1:0] home_q;
-    logic [N-1:0] cells_busy;
     logic busy_q;
     /*verilator tracing_on*/
 
@@ -177,7 +115,7 @@ module rc2_array (
           .unit_waits_o(unit_waits),
           .unit_valid_o(unit_valid),
           .unit_word_o (unit_word),
-          .unit_ready_i(g[y].c[1].wr),
+          .unit_ready_i(west_ready[y-1]),
           .next_valid_o(next_valid),
           .next_word_o (next_word),
           .next_ready_i(after_ready),
@@ -186,8 +124,8 @@ module rc2_array (
       rc2_collector u_collector (
           .clk_i        (clk_i),
           .rst_ni       (rst_ni),
-          .row_valid_i  (g[y].c[N].wv),
-          .row_word_i   (g[y].c[N].w),
+          .row_valid_i  (east_valid[y-1]),
+          .row_word_i   (east_word[(y-1)*RowWordW+:RowWordW]),
           .row_ready_o  (row_ready),
           .above_valid_i(f[y+1].back_valid),
           .above_word_i (f[y+1].back_word),
@@ -197,16 +135,16 @@ module rc2_array (
           .ready_i      (f[y-1].above_ready),
           .busy_o       (collecting)
       );
-      for (genvar x = 0; x < N; x++) begin : b
-        assign cells_busy[x] = g[y].c[x+1].busy;
-      end
+      assign west_valid[y-1] = unit_valid;
+      assign west_word[(y-1)*RowWordW+:RowWordW] = unit_word;
+      assign east_ready[y-1] = row_ready;
       always_ff @(posedge clk_i) begin
         if (!rst_ni) begin
           home_q <= '0;
           busy_q <= 1'b0;
         end else begin
-          home_q <= f[y+1].home_q + g[y].c[1].home;
-          busy_q <= feeding || collecting || (cells_busy != 0);
+          home_q <= f[y+1].home_q + home[(y-1)*HomeW+:HomeW];
+          busy_q <= feeding || collecting || cells_busy[y-1];
         end
       end
     end

@@ -17,7 +17,6 @@ module rc2_column (
     input  logic                       clk_i,
     input  logic                       rst_ni,
     input  logic                       clear_i,         // forget all voxels
-    input  logic                       start_i,         // forget the light
     output logic [     rc2_pkg::N-1:0] occupied_o,
     // loading
     output rc2_pkg::claim_t            owner_o,         // of the address in the cycle before
@@ -32,13 +31,12 @@ module rc2_column (
     input  logic                       flip_i,
     input  logic                       thin_i,
     input  logic                       end_i,           // of an object
-    // light: absorb_i announces an arrival at absorb_z_i, its number of targets follows
-    input  logic                       absorb_i,
-    input  logic [rc2_pkg::CoordW-1:0] absorb_z_i,
-    input  logic [ rc2_pkg::HomeW-1:0] area_i,          // one cycle after absorb_i
+    // light: what arrived at the voxel of the address in the cycle before
+    output logic [rc2_pkg::CoordW-1:0] light_addr_o,
+    input  logic [ rc2_pkg::HomeW-1:0] light_i,
     // counters
     input  logic [rc2_pkg::ValueW-1:0] visits_i,
-    input  logic [rc2_pkg::QueueW-1:0] deepest_i,
+    input  logic [rc2_pkg::HistoryW-1:0] history_i,
     // readback
     input  logic                       read_i,
     input  logic [                1:0] read_what_i,
@@ -51,10 +49,9 @@ module rc2_column (
 );
   localparam int unsigned N = rc2_pkg::N;
   localparam int unsigned CoordW = rc2_pkg::CoordW;
-  localparam int unsigned HomeW = rc2_pkg::HomeW;
   localparam int unsigned ValueW = rc2_pkg::ValueW;
 
-  logic [N-1:0] occupied_q, lit_q;
+  logic [N-1:0] occupied_q;
   assign occupied_o = occupied_q;
 
   // ---- Readback: which word ----------------------------------------------------------------------
@@ -121,39 +118,9 @@ module rc2_column (
     assign facing_o = '0;
   end
 
-  // ---- Targets that arrived --------------------------------------------------------------------------
-  logic arriving_q, bypass_q;
-  logic [CoordW-1:0] arriving_z_q;
-  logic [HomeW-1:0] count_read, count_before, count_sum, bypass_count_q;
-  rc2_ram #(
-      .Width(HomeW),
-      .Depth(N)
-  ) u_count (
-      .clk_i       (clk_i),
-      .write_i     (arriving_q),
-      .write_addr_i(arriving_z_q),
-      .write_data_i(count_sum),
-      .read_addr_i (reading_q ? first_z : absorb_z_i),
-      .read_data_o (count_read)
-  );
-  assign count_before = !lit_q[arriving_z_q] ? '0 : bypass_q ? bypass_count_q : count_read;
-  assign count_sum = count_before + area_i;
-
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      arriving_q <= 1'b0;
-      occupied_q <= '0;
-      lit_q      <= '0;
-    end else begin
-      arriving_q <= absorb_i;
-      if (clear_i) occupied_q <= '0;
-      else if (fill_i) occupied_q[fill_z_i] <= 1'b1;
-      if (start_i) lit_q <= '0;
-      else if (arriving_q) lit_q[arriving_z_q] <= 1'b1;
-    end
-    arriving_z_q   <= absorb_z_i;
-    bypass_q       <= arriving_q && (absorb_z_i == arriving_z_q);
-    bypass_count_q <= count_sum;
+    if (!rst_ni || clear_i) occupied_q <= '0;
+    else if (fill_i) occupied_q[fill_z_i] <= 1'b1;
   end
 
   // ---- Readback: the words -----------------------------------------------------------------------
@@ -178,8 +145,8 @@ module rc2_column (
       rc2_pkg::ReadVoxels: data_o.value = ValueW'(owner_o);
       rc2_pkg::ReadLayers:
       data_o.value = ValueW'({thin[first_z], solid[first_z], shown[first_z], occupied_q[first_z]});
-      rc2_pkg::ReadLight:  data_o.value = lit_q[first_z] ? ValueW'(count_read) : '0;
-      default:             data_o.value = (first_z == 0) ? visits_i : ValueW'(deepest_i);
+      rc2_pkg::ReadLight:  data_o.value = ValueW'(light_i);
+      default:             data_o.value = (first_z == 0) ? visits_i : ValueW'(history_i);
     endcase
   end
 
@@ -206,16 +173,15 @@ module rc2_column (
     end
   end
 
-  assign busy_o = arriving_q || reading_q || done_q;
+  assign light_addr_o = first_z;
+  assign busy_o = reading_q || done_q;
 
-  // Contract: loading, light and readback never meet.
+  // Contract: loading and readback never meet.
   always_ff @(posedge clk_i) begin
     if (rst_ni) begin
-      assert (!(fill_i && (absorb_i || reading_q)));
-      assert (!(absorb_i && reading_q));
+      assert (!(fill_i && reading_q));
       assert (!(end_i && (fill_i || flip_i)));
-      assert (!(clear_i && fill_i) && !(start_i && arriving_q));
-      assert (!(absorb_i && !occupied_q[absorb_z_i]));
+      assert (!(clear_i && fill_i));
     end
   end
 endmodule

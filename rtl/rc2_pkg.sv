@@ -2,7 +2,7 @@
 //
 // The one place where the machine's size, message formats and widths are stated.
 //
-// A build chooses N, F, LMAX, FAMAX, FEEDERS and LAYERS by macros; everything else follows from them.
+// A build chooses N, F, LMAX, FAMAX, FEEDERS, LAYERS, THESIS and COUNTS by macros; everything else follows from them.
 // sw/base/config.h derives the same widths for the host, which checks them against the
 // capability registers of rc2_machine before it sends a word.
 //
@@ -24,6 +24,12 @@
 `ifndef RC2_LAYERS
 `define RC2_LAYERS 1
 `endif
+`ifndef RC2_THESIS
+`define RC2_THESIS 0
+`endif
+`ifndef RC2_COUNTS
+`define RC2_COUNTS 1
+`endif
 `ifndef RC2_FEEDERS
 `define RC2_FEEDERS ((`RC2_N >= 64) ? 16 : (`RC2_N >= 32) ? 8 : (`RC2_N >= 16) ? 4 : \
                      (`RC2_N >= 8) ? 2 : 1)
@@ -39,6 +45,8 @@ package rc2_pkg;
   localparam int unsigned FEEDERS = `RC2_FEEDERS;  // words per cycle from the host; a power of two
 
   localparam bit LAYERS = (`RC2_LAYERS != 0);  // columns know shown, inside and thin, not only armour
+  localparam bit THESIS = (`RC2_THESIS != 0);  // light as in thesis 4.4, else in lanes (rtl/lanes)
+  localparam bit COUNTS = (`RC2_COUNTS != 0);  // columns count targets, else they know only lit or not
 
   // ---- Widths ------------------------------------------------------------------------------
   localparam int unsigned CoordW = (N <= 2) ? 1 : $clog2(N);  // 0 .. N-1
@@ -71,7 +79,12 @@ package rc2_pkg;
   localparam int unsigned TargetW = DistanceW + 1;             // signed -L .. L
   localparam int unsigned ExtentW = $clog2(2 * LMAX + 2);      // 0 .. 2L+1 targets along one axis
   localparam int unsigned HomeW = $clog2(24 * LMAX * LMAX + 3);  // all targets of a source
-  localparam int unsigned QueueW = $clog2(FAMAX + 1);
+  // Beams of a cell: FA; in lanes two FIFOs of FA/2, rounded up, and the beam that is served.
+  localparam int unsigned QueueW = $clog2(FAMAX + 3);
+  localparam int unsigned HistoryW = 16 + QueueW;  // {signature, deepest} of rc2_history
+  // k/L, rounded down: times a target it is right to less than 1/2L. The host gives 1/L.
+  localparam int unsigned SlopeF = 2 * DistanceW + 2;
+  localparam int unsigned SlopeW = CoordW + SlopeF;
   // A readback value: a claim, or a count of beams (each target visits a column <= N times).
   localparam int unsigned ValueW = (ClaimW > HomeW + CoordW) ? ClaimW : HomeW + CoordW;
 
@@ -104,7 +117,7 @@ package rc2_pkg;
 
   localparam logic [1:0] ReadVoxels = 2'd0;    // claim of the owner of each occupied voxel
   localparam logic [1:0] ReadLight = 2'd1;     // targets arrived at each occupied voxel
-  localparam logic [1:0] ReadCounters = 2'd2;  // z=0: beams served; z=1: deepest queue
+  localparam logic [1:0] ReadCounters = 2'd2;  // z=0: beams served; z=1: how deep the queue was
   localparam logic [1:0] ReadLayers = 2'd3;    // {thin, inside, shown, armour} of each voxel in any
 
   // What a packet does with the voxels that it fills.
@@ -165,12 +178,66 @@ package rc2_pkg;
 
   // Constants of one light, steady while it runs.
   typedef struct packed {
+    logic [SlopeW-1:0]    inverse;   // 1/L, rounded down (in lanes)
     logic [CoordW-1:0]    xs;
     logic [CoordW-1:0]    ys;
     logic [CoordW-1:0]    zs;
     logic [DistanceW-1:0] distance;  // L
     logic [QueueW-1:0]    fa;        // places of the queue in use, 1 .. FAMAX
   } light_t;
+
+  // ---- Light in lanes ------------------------------------------------------------------------
+  // Longest list of classes of one axis (sw/cycle/classes.h): the largest L that needs no more than
+  // 1, 2, .. classes, whatever n; beyond them a bound.
+  localparam int unsigned ClassM =
+      (LMAX < 3) ? 1 : (LMAX < 12) ? 2 : (LMAX < 18) ? 3 : (LMAX < 39) ? 4 : (LMAX < 54) ? 5 :
+      (LMAX < 84) ? 6 : (LMAX < 120) ? 7 : (LMAX < 135) ? 8 : (LMAX < 196) ? 9 :
+      (LMAX < 241) ? 10 : (LMAX < 277) ? 11 : (LMAX < 333) ? 12 : (LMAX < 403) ? 13 :
+      (LMAX < 455) ? 14 : (LMAX < 521) ? 15 : (LMAX < 609) ? 16 : 17 + (LMAX - 609) / 70;
+  localparam int unsigned ClassW = $clog2(ClassM + 1);  // 0 .. ClassM
+  localparam int unsigned MatrixW = ClassM * ClassM;    // a bit for each U class and V class
+  localparam int unsigned BoundsW = ClassM * DistanceW;  // a distance for each class
+  localparam int unsigned WeightsW = ClassM * ExtentW;   // a number of targets for each class
+  localparam int unsigned RUNS = 6;                      // runs of stops that a cell keeps at hand
+  // L/2k, rounded up: times an odd number up to 2N-1 it is right to less than 1/2N.
+  localparam int unsigned RatioF = 2 * CoordW + 3;
+  localparam int unsigned RatioW = DistanceW - 1 + RatioF;
+  localparam int unsigned StopW = TargetW + 1;  // signed -L-1 .. L+1
+
+  // What the classes of one axis do in a step: the first `stay` stay, those from `leave` on leave,
+  // after the first `come` have come.
+  typedef struct packed {
+    logic [ClassW-1:0] come;
+    logic [ClassW-1:0] stay;
+    logic [ClassW-1:0] leave;
+    logic              down;  // some leave towards lower coordinates
+    logic              up;
+  } cut_t;
+
+  // A side beam: V targets of a column, U targets of some classes. `edge_u` is one target more, U =
+  // L or -L, which only x beams have, on the diagonals.
+  typedef struct packed {
+    logic               along_y;
+    logic [TargetW-1:0] vmin;
+    logic [TargetW-1:0] vmax;
+    logic               edge_u;
+    logic [ClassM-1:0]  classes;
+  } lane_t;
+  localparam int unsigned LaneW = 2 + 2 * TargetW + ClassM;
+
+  // What all cells hear while the light spreads, step by step (rc2_pace).
+  typedef struct packed {
+    logic              active;    // the light spreads
+    logic              first;     // first of a step's two cycles, that of the lane upwards
+    logic [CountW-1:0] step;
+    logic              on;        // the lane of this cycle is still in the cube
+    logic              last;      // and leaves it in this step
+    logic [CoordW-1:0] next_layer;  // where the lane of the next cycle is
+    logic              tell;      // cells that are tell_step away from the light: for you
+    logic [CountW-1:0] tell_step;
+    logic [RatioW-1:0] ratio;
+    logic [SlopeW-1:0] slope;
+  } pace_t;
 
   // ---- Directions: 0 E, 1 NE, 2 N, 3 NW, 4 W, 5 SW, 6 S, 7 SE; x grows east, y north ----------
   // The opposite of d is (d + 4) mod 8. Bit d is set where direction d has that component.

@@ -23,7 +23,8 @@ void check_limit(const char* option, int asked, int limit, const std::string& ho
 std::unique_ptr<Machine> make_machine(const std::string& name, const MachineConfig& job,
                                       const WaveWindow& waves) {
   if (name == "rtl") {
-    auto machine = make_rtl_machine(job.n, waves);
+    auto machine = make_rtl_machine(
+        fmt::format("{}n{}", job.mode == LightMode::thesis ? "thesis_" : "", job.n), waves);
     const MachineConfig& built = machine->config();
     check_limit("--fraction-bits", job.fraction_bits, built.fraction_bits,
                 fmt::format("`cmake -D RC2_RTL_F={} build`", job.fraction_bits), job.n);

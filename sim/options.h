@@ -33,11 +33,15 @@ struct RunOptions : SceneOptions {
   std::string light_rule = "thesis";
   std::optional<int> target_distance;
   int fa = 16;
+  std::string mode = "fast";
   std::string out = "out";
   std::string waves;
   std::int64_t waves_from = 0;
   std::int64_t waves_cycles = 10000;
 
+  LightMode light_mode() const {
+    return mode == "thesis" ? LightMode::thesis : LightMode::fast;
+  }
   int distance() const { return target_distance.value_or(2 * n); }
 };
 

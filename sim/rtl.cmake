@@ -1,5 +1,5 @@
-# The Verilated array: one shared library per size, rtl_n<N> -> rtl/librc2_rtl_n<N>.so beside rc2.
-# Not part of `all`: a test or a run that needs a size depends on it, and every one shares it.
+# The Verilated array: one shared library per size and mode beside rc2, rtl_n<N> ->
+# rtl/librc2_rtl_n<N>.so with light in lanes, rtl_thesis_n<N> in thesis mode. Not part of `all`: a test or a run that needs a size depends on it, and every one shares it.
 set(RC2_RTL_SIZES 4 5 8 16 32 CACHE STRING "Sizes with a target of their own")
 set(RC2_RTL_EXTRA_SIZE "" CACHE STRING "One more size")
 set(RC2_RTL_F 4 CACHE STRING "Fraction bits of the Verilated machines")
@@ -8,11 +8,11 @@ find_program(VERILATOR verilator REQUIRED)
 
 # A module comes after those it uses: package, parts, units, column, cell, array, machine.
 set(RC2_RTL_SOURCES ${PROJECT_SOURCE_DIR}/rtl/rc2_pkg.sv)
-foreach(level parts load light net)
+foreach(level parts load light lanes net)
   file(GLOB modules CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/rtl/${level}/*.sv)
   list(APPEND RC2_RTL_SOURCES ${modules})
 endforeach()
-foreach(module column cell array machine)
+foreach(module column voxels cell cell_thesis grid grid_thesis array machine)
   list(APPEND RC2_RTL_SOURCES ${PROJECT_SOURCE_DIR}/rtl/rc2_${module}.sv)
 endforeach()
 set(RC2_VERILATED_GLUE ${PROJECT_SOURCE_DIR}/sim/verilated_machine.cpp
@@ -31,18 +31,20 @@ if(CCACHE)
   list(APPEND RC2_VERILATED_MAKE OBJCACHE=ccache)
 endif()
 
-function(rc2_add_rtl n fraction_bits)
+# rc2_add_rtl(NAME N [MACRO=VALUE ...])
+function(rc2_add_rtl name n)
+  list(TRANSFORM ARGN PREPEND -DRC2_ OUTPUT_VARIABLE defines)
   set(assertions --noassert)
   if(n LESS_EQUAL RC2_ASSERTED_UP_TO)
     set(assertions --assert)
   endif()
-  set(folder ${CMAKE_BINARY_DIR}/rtl/n${n})
-  set(library ${CMAKE_BINARY_DIR}/rtl/librc2_rtl_n${n}.so)
+  set(folder ${CMAKE_BINARY_DIR}/rtl/${name})
+  set(library ${CMAKE_BINARY_DIR}/rtl/librc2_rtl_${name}.so)
   add_custom_command(
     OUTPUT ${library}
     COMMAND ${CMAKE_COMMAND} -E rm -rf ${folder}
     COMMAND
-      ${VERILATOR} --cc --exe ${RC2_VERILATOR_FLAGS} ${assertions} -DRC2_N=${n} -DRC2_F=${fraction_bits}
+      ${VERILATOR} --cc --exe ${RC2_VERILATOR_FLAGS} ${assertions} -DRC2_N=${n} ${defines}
       --top-module rc2_machine ${RC2_RTL_RULES} ${RC2_RTL_SOURCES} --Mdir ${folder} -o ${library}
       -CFLAGS "-std=c++17 -fPIC -I${PROJECT_SOURCE_DIR}" -LDFLAGS "-shared -lfmt"
       ${RC2_VERILATED_GLUE}
@@ -50,20 +52,25 @@ function(rc2_add_rtl n fraction_bits)
     DEPENDS ${RC2_RTL_SOURCES} ${RC2_RTL_RULES} ${RC2_VERILATED_GLUE}
             ${PROJECT_SOURCE_DIR}/sim/host_word.h ${PROJECT_SOURCE_DIR}/sim/rtl_machine.h
             ${PROJECT_SOURCE_DIR}/sim/wave_list.h
-            ${PROJECT_SOURCE_DIR}/sw/machine/machine.h ${PROJECT_SOURCE_DIR}/sw/machine/claim.h
+            ${PROJECT_SOURCE_DIR}/sw/machine/machine.h ${PROJECT_SOURCE_DIR}/sw/machine/queue_history.h ${PROJECT_SOURCE_DIR}/sw/machine/claim.h
             ${PROJECT_SOURCE_DIR}/sw/machine/checks.h ${PROJECT_SOURCE_DIR}/sw/machine/feeder.h ${PROJECT_SOURCE_DIR}/sw/machine/word.h
             ${PROJECT_SOURCE_DIR}/sw/base/config.h
             ${PROJECT_SOURCE_DIR}/sw/facet/packet.h
-    COMMENT "Verilating the ${n}x${n} array"
+    COMMENT "Verilating the array ${name}"
     VERBATIM)
-  add_custom_target(rtl_n${n} DEPENDS ${library})
+  add_custom_target(rtl_${name} DEPENDS ${library})
 endfunction()
 
 # n = 5 has room for the finest vertices, so that the whole range of f meets the RTL somewhere.
 foreach(n IN LISTS RC2_RTL_SIZES RC2_RTL_EXTRA_SIZE)
+  set(fraction_bits ${RC2_RTL_F})
   if(n EQUAL 5)
-    rc2_add_rtl(${n} 8)
-  elseif(NOT TARGET rtl_n${n})
-    rc2_add_rtl(${n} ${RC2_RTL_F})
+    set(fraction_bits 8)
+  endif()
+  if(NOT TARGET rtl_n${n})
+    rc2_add_rtl(n${n} ${n} F=${fraction_bits})
+    rc2_add_rtl(thesis_n${n} ${n} F=${fraction_bits} THESIS=1)
   endif()
 endforeach()
+# As it would be built in silicon: nothing counts targets.
+rc2_add_rtl(lit_n8 8 F=${RC2_RTL_F} COUNTS=0)

@@ -17,9 +17,10 @@ struct WaveWindow {
   std::int64_t cycles = 0;
 };
 
-/// Loads build/rtl/librc2_rtl_n<N>.so (beside the program) and resets the machine in it. Throws
-/// Error if there is none for this n, saying how to build it.
-std::unique_ptr<Machine> make_rtl_machine(int n, const WaveWindow& waves);
+/// Loads build/rtl/librc2_rtl_<NAME>.so (beside the program) and resets the machine in it; the name
+/// is n<N> for light in lanes, thesis_n<N> for thesis mode. Throws Error if there is none, saying
+/// how to build it.
+std::unique_ptr<Machine> make_rtl_machine(const std::string& name, const WaveWindow& waves);
 
 /// What such a library exports under the name kRtlFactory.
 using RtlFactory = Machine*(const WaveWindow& waves);

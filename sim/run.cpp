@@ -31,6 +31,8 @@ report::Report describe(const RunOptions& options, const Job& job) {
   report.machine = options.machine;
   report.rule = options.rule;
   report.light_rule = options.light_rule;
+  report.mode = options.mode;
+  report.hop_stages = hop_stages(options.light_mode());
   report.n = options.n;
   report.fraction_bits = options.fraction_bits;
   report.target_distance = options.distance();
@@ -47,7 +49,10 @@ report::Report describe(const RunOptions& options, const Job& job) {
 }
 
 MachineConfig needs(const RunOptions& options) {
-  return {options.n, options.fraction_bits, options.distance(), options.fa, options.feeder_count()};
+  MachineConfig config{options.n, options.fraction_bits, options.distance(), options.fa,
+                       options.feeder_count()};
+  config.mode = options.light_mode();
+  return config;
 }
 
 // Loads and lights the machine, and puts into the report what it did.

@@ -17,6 +17,7 @@
 #include "sim/wave_list.h"
 #include "sw/machine/checks.h"
 #include "sw/machine/feeder.h"
+#include "sw/machine/queue_history.h"
 
 namespace rc2 {
 namespace {
@@ -45,7 +46,12 @@ enum Register : std::uint8_t {
   kDistance = 0x4C,
   kFa = 0x50,
   kTargets = 0x54,
+  kInverse = 0x58,
+  kBuild = 0x5C,
+  kInverseBits = 0x60,
 };
+constexpr std::uint32_t kBuildThesis = 1;
+constexpr std::uint32_t kBuildCounts = 2;
 constexpr std::uint32_t kMachineId = 0x52433201;
 constexpr std::uint32_t kCommandClear = 1;
 constexpr std::uint32_t kCommandStart = 2;
@@ -118,6 +124,10 @@ class VerilatedMachine final : public Machine {
     write_register(kSourceZ, static_cast<std::uint32_t>(job.source.z));
     write_register(kDistance, static_cast<std::uint32_t>(job.target_distance));
     write_register(kFa, static_cast<std::uint32_t>(job.fa));
+    // 1/L, rounded down to a fraction of kInverseBits bits; the largest fraction for L = 1.
+    const std::uint64_t one = std::uint64_t{1} << read_register(kInverseBits);
+    write_register(kInverse, static_cast<std::uint32_t>(std::min(
+                                 one - 1, one / static_cast<std::uint64_t>(job.target_distance))));
     LightResult result;
     result.targets.total = total_targets(job.target_distance);
     write_register(kTargets, static_cast<std::uint32_t>(result.targets.total));
@@ -153,18 +163,27 @@ class VerilatedMachine final : public Machine {
     light_.clear();
     for (const auto& record : counts) {
       light_.push_back(record.value);
-      result.targets.absorbed += record.value;
+      if (config_.counts) result.targets.absorbed += record.value;
     }
     result.targets.escaped = home - result.targets.absorbed;
-    if (!all_home) {
+    if (config_.counts && !all_home) {
       throw std::logic_error(fmt::format("conservation is broken: {} of {} targets came home", home,
                                          result.targets.total));
     }
-    for (const auto& record : read_back(ReadWhat::counters)) {
-      if (record.at.z == 0) result.visits += record.value;
-      if (record.at.z == 1)
-        result.max_queue = std::max<std::int64_t>(result.max_queue, record.value);
+    // Of each cell its visits and, above the deepest queue, the signature of all its queues.
+    const int depth_bits = bits_for(config_.max_fa + 3);
+    QueueHistory history(static_cast<std::size_t>(config_.n) * static_cast<std::size_t>(config_.n));
+    for (const auto& [at, value] : read_back(ReadWhat::counters)) {
+      if (at.z == 0) {
+        result.visits += value;
+      } else {
+        const std::uint32_t deepest = value & ((1U << depth_bits) - 1);
+        result.max_queue = std::max<std::int64_t>(result.max_queue, deepest);
+        history.set(static_cast<std::size_t>(at.y * config_.n + at.x),
+                    static_cast<std::uint16_t>(value >> depth_bits));
+      }
     }
+    result.queue_history = history.signature();
     return result;
   }
 
@@ -232,6 +251,12 @@ class VerilatedMachine final : public Machine {
     config.max_fa = static_cast<int>(read_register(kFamax));
     config.feeders = static_cast<int>(read_register(kFeeders));
     config.layers = read_register(kLayers) != 0;
+    const std::uint32_t build = read_register(kBuild);
+    config.mode = (build & kBuildThesis) != 0 ? LightMode::thesis : LightMode::fast;
+    config.counts = (build & kBuildCounts) != 0;
+    if (read_register(kInverseBits) > 32) {
+      throw std::logic_error("rtl/rc2_machine.sv: 1/L does not fit its register");
+    }
     return config;
   }
 

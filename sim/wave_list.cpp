@@ -34,28 +34,45 @@ class SaveFile {
 void list_cell(SaveFile& list, const MachineConfig& config, int x, int y, const std::string& what) {
   const int coordinate = coordinate_bits(config.n);
   const int target = bits_for(config.max_distance + 1) + 1;
-  // Cell (x,y) is g[y+1].c[x+1] in rtl/rc2_array.sv.
-  const std::string cell =
-      fmt::format("rc2.rc2_machine.u_array.g[{}].c[{}].n.u_cell.", y + 1, x + 1);
+  // Cell (x,y) is g[y+1].c[x+1] in rtl/rc2_grid.sv and rtl/rc2_grid_thesis.sv.
+  const bool thesis = config.mode == LightMode::thesis;
+  const std::string cell = fmt::format("rc2.rc2_machine.u_array.{}.u_grid.g[{}].c[{}].n.u_cell.",
+                                       thesis ? 'm' : 'l', y + 1, x + 1);
   list.title(fmt::format("Cell ({}, {}): {}", x, y, what));
   list.signal(kBits, cell + "busy_o", 1);
-  list.signal(kDecimal, cell + "queue", bits_for(config.max_fa + 1));
-  for (const char* field : {"dir", "z"}) {
-    list.signal(kDecimal, cell + "u_diffuser.head." + field, field[0] == 'd' ? 3 : coordinate);
+  list.signal(kDecimal, cell + "queue", bits_for(config.max_fa + 3));
+  if (thesis) {
+    for (const char* field : {"dir", "z"}) {
+      list.signal(kDecimal, cell + "u_diffuser.head." + field, field[0] == 'd' ? 3 : coordinate);
+    }
+    for (const char* field : {"umin", "umax", "vmin", "vmax"}) {
+      list.signal(kSigned, cell + "u_diffuser.head." + field, target);
+    }
+    list.signal(kBits, cell + "link_valid_i", 8);
+    list.signal(kBits, cell + "link_valid_o", 8);
+    list.signal(kBits, cell + "link_ready_i", 8);
+    list.signal(kBits, cell + "absorb", 1);
+    list.signal(kDecimal, cell + "absorb_z", coordinate);
+  } else {
+    const std::string lane = cell + "u_side_lane.";
+    list.signal(kBits, lane + "serve", 1);
+    list.signal(kBits, lane + "beam.along_y", 1);
+    for (const char* field : {"beam.vmin", "beam.vmax"}) list.signal(kSigned, lane + field, target);
+    list.signal(kSigned, lane + "free_min_o", target + 1);
+    list.signal(kSigned, lane + "free_max_o", target + 1);
+    list.signal(kBits, cell + "side_valid_i", 8);
+    list.signal(kBits, cell + "side_valid_o", 8);
+    list.signal(kBits, cell + "side_room_i", 8);
+    list.signal(kBits, cell + "reached", 1);
+    list.signal(kBits, cell + "stopped", 1);
+    list.signal(kDecimal, cell + "z", coordinate);
   }
-  for (const char* field : {"umin", "umax", "vmin", "vmax"}) {
-    list.signal(kSigned, cell + "u_diffuser.head." + field, target);
-  }
-  list.signal(kBits, cell + "link_valid_i", 8);
-  list.signal(kBits, cell + "link_valid_o", 8);
-  list.signal(kBits, cell + "link_ready_i", 8);
-  list.signal(kBits, cell + "absorb", 1);
-  list.signal(kDecimal, cell + "absorb_z", coordinate);
-  list.signal(kBits, cell + "dexel_valid", 1);
-  list.signal(kDecimal, cell + "dexel_facet", kFacetBits);
-  list.signal(kDecimal, cell + "dexel_lo", coordinate);
-  list.signal(kDecimal, cell + "dexel_hi", coordinate);
-  list.signal(kHexadecimal, cell + "occupied", config.n);
+  const std::string voxels = cell + "u_voxels.";
+  list.signal(kBits, voxels + "dexel_valid", 1);
+  list.signal(kDecimal, voxels + "dexel_facet", kFacetBits);
+  list.signal(kDecimal, voxels + "dexel_lo", coordinate);
+  list.signal(kDecimal, voxels + "dexel_hi", coordinate);
+  list.signal(kHexadecimal, voxels + "occupied", config.n);
 }
 
 }  // namespace

@@ -13,6 +13,20 @@ constexpr int default_feeders(int n) {
   return n >= 64 ? 16 : n >= 32 ? 8 : n >= 16 ? 4 : n >= 8 ? 2 : 1;
 }
 
+/// How light spreads through a machine.
+enum class LightMode {
+  fast,   ///< in lanes: whole columns at once, a step every two cycles
+  thesis  ///< voxel by voxel through one queue a cell (thesis 4.4)
+};
+
+/// "fast" or "thesis".
+constexpr const char* to_string(LightMode mode) {
+  return mode == LightMode::thesis ? "thesis" : "fast";
+}
+
+/// Cycles that light takes from a cell to the next where nothing holds it up.
+constexpr int hop_stages(LightMode mode) { return mode == LightMode::thesis ? 3 : 2; }
+
 /// What a machine was built for. A job may ask for less (fraction bits, L, FA), never for more.
 struct MachineConfig {
   int n = 16;             ///< cells per side, voxels per column (>= 2)
@@ -21,6 +35,8 @@ struct MachineConfig {
   int max_fa = 32;        ///< deepest beam queue (FA) of a cell
   int feeders = 1;        ///< row feeders that the host port serves; a power of two <= n
   bool layers = true;     ///< columns know shown, inside and thin voxels, not only armour
+  LightMode mode = LightMode::fast;
+  bool counts = true;  ///< read_light() says how many targets arrived, not only if any did
 };
 
 constexpr int kMaxSide = 1024;       ///< largest n the 64-bit host arithmetic is proven for

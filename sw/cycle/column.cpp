@@ -49,6 +49,15 @@ void Columns::darken() {
   }
 }
 
+int Columns::next(std::size_t column, int z, std::uint64_t flip) const {
+  while (z < n_) {
+    const std::uint64_t rest = (occupied_[word_of(column, z)] ^ flip) >> (z % 64);
+    if (rest != 0) return std::min(n_, z + __builtin_ctzll(rest));
+    z += 64 - z % 64;
+  }
+  return n_;
+}
+
 std::size_t Columns::place(std::size_t column, int z) const {
   const std::size_t word = word_of(column, z);
   std::size_t below = count_bits(occupied_[word] & ((std::uint64_t{1} << (z % 64)) - 1));

@@ -24,6 +24,10 @@ class Columns {
     return (occupied_[word_of(column, z)] >> (z % 64) & 1U) != 0;
   }
 
+  /// The first occupied voxel, and the first free one, from z on; n if there is none.
+  int next_occupied(std::size_t column, int z) const { return next(column, z, 0); }
+  int next_free(std::size_t column, int z) const { return next(column, z, ~std::uint64_t{0}); }
+
   /// Forgets all voxels.
   void clear();
 
@@ -64,6 +68,7 @@ class Columns {
     return column * words_ + static_cast<std::size_t>(z) / 64;
   }
   std::size_t place(std::size_t column, int z) const;
+  int next(std::size_t column, int z, std::uint64_t flip) const;
 
   int n_;
   std::size_t words_;                    // per column

@@ -6,7 +6,7 @@
 namespace rc2::cycle {
 
 CycleMachine::CycleMachine(const MachineConfig& config)
-    : config_(checked(config)), columns_(config.n), light_array_(config.n, columns_) {}
+    : config_(checked(config)), columns_(config.n), light_array_(config.n, columns_), lane_array_(config.n, columns_) {}
 
 LoadResult CycleMachine::load(const facet::PacketStream& packets, const Progress& progress) {
   check_packets(config_, packets);
@@ -20,7 +20,8 @@ LightResult CycleMachine::light(const LightJob& job, const Progress& progress) {
   if (columns_.occupied(column, job.source.z)) {
     refuse_occupied_source(job, columns_.owner(column, job.source.z).facet);
   }
-  return light_array_.run(job, observer_, progress);
+  return config_.mode == LightMode::thesis ? light_array_.run(job, observer_, progress)
+                                           : lane_array_.run(job, observer_, progress);
 }
 
 template <typename Visit>

@@ -2,6 +2,7 @@
 // the readback. Cells at rest cost nothing.
 #pragma once
 
+#include "sw/cycle/lane_array.h"
 #include "sw/cycle/light_array.h"
 #include "sw/cycle/load_array.h"
 #include "sw/machine/machine.h"
@@ -44,6 +45,7 @@ class CycleMachine : public Machine {
   MachineConfig config_;
   Columns columns_;
   LightArray light_array_;
+  LaneArray lane_array_;
   Observer observer_;
   LoadObserver load_observer_;
 };

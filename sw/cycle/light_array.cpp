@@ -21,6 +21,7 @@ LightArray::LightArray(int n, Columns& columns)
       columns_(columns),
       router_(n),
       diffuser_(n, columns, router_),
+      history_(columns.size()),
       listed_(columns.size()) {}
 
 LightResult LightArray::run(const LightJob& job, const Observer& observer,
@@ -28,6 +29,7 @@ LightResult LightArray::run(const LightJob& job, const Observer& observer,
   LightResult result;
   result.targets.total = total_targets(job.target_distance);
   columns_.darken();
+  history_.start();
   router_.start(job);
   diffuser_.start(job);
   const auto source = cell_number(job.source.x, job.source.y, n_);
@@ -51,6 +53,7 @@ LightResult LightArray::run(const LightJob& job, const Observer& observer,
   result.home_cycles = diffuser_.tally().home_cycle();
   result.visits = diffuser_.visits();
   result.max_queue = diffuser_.max_queue();
+  result.queue_history = history_.signature();
   result.targets.absorbed = diffuser_.absorbed();
   result.targets.escaped = diffuser_.escaped();
   check_conservation(result.targets);
@@ -66,6 +69,7 @@ bool LightArray::step(std::int64_t cycle) {
       active_.push_back(cell);
     }
   };
+  for (const std::size_t cell : active_) history_.add(cell, diffuser_.queues()[cell], cycle);
   const std::size_t before = active_.size();  // a cell that is reached now has nothing on its links
   for (std::size_t i = 0; i < before; ++i) {
     if (router_.move_links(active_[i], reached)) changed = true;

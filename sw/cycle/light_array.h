@@ -7,6 +7,7 @@
 
 #include "sw/cycle/diffuser.h"
 #include "sw/cycle/router.h"
+#include "sw/machine/queue_history.h"
 
 namespace rc2::cycle {
 
@@ -30,6 +31,7 @@ class LightArray {
   Columns& columns_;
   Router router_;
   Diffuser diffuser_;
+  QueueHistory history_;
   std::vector<std::size_t> active_;   // cells that hold anything, in any order
   std::vector<std::uint8_t> listed_;  // per cell: is in active_
 };

@@ -47,6 +47,8 @@ struct LightResult {
   std::int64_t merged = 0;       ///< beams that were merged into another
   std::int64_t max_queue = 0;    ///< deepest FA seen in any cell; 0 on golden
   TargetCount targets;
+  /// A signature of the depth of every queue in every cycle (QueueHistory); 0 on golden.
+  std::uint64_t queue_history = 0;
 };
 
 /// An occupied voxel and its owner.

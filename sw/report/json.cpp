@@ -102,6 +102,7 @@ std::string to_json(const Report& report) {
   json["fraction_bits"] = report.fraction_bits;
   json["rule"] = report.rule;
   json["light_rule"] = report.light_rule;
+  json["mode"] = report.mode;
   json["L"] = report.target_distance;
   json["fa"] = report.fa;
   json["feeders"] = report.feeders;
@@ -121,7 +122,8 @@ std::string to_json(const Report& report) {
   json["cycles"] = {
       {"load", report.load.cycles},
       {"light", per_source(report, [](const Source& s) { return s.result.cycles; })},
-      {"home", per_source(report, [](const Source& s) { return s.result.home_cycles; })}};
+      {"home", per_source(report, [](const Source& s) { return s.result.home_cycles; })},
+      {"hop_stages", report.hop_stages}};
   json["voxels"] = report.voxels;
   json["lit"] = per_source(report, [](const Source& s) { return s.lit; });
   json["beams"] = beams(total);

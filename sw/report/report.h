@@ -37,6 +37,8 @@ struct Report {
   std::string scene;  ///< path or generated name
   std::string fit;    ///< "cube" or "none"
   std::string machine, rule, light_rule;
+  std::string mode;    ///< of the light: "fast" or "thesis"
+  int hop_stages = 0;  ///< cycles that light takes from a cell to the next
   int n = 0, fraction_bits = 0, target_distance = 0, fa = 0, feeders = 1;
 
   facet::FacetCounts facets;
@@ -57,12 +59,12 @@ struct Report {
 };
 
 /// The report as JSON, indented, ends with a line feed. Top level: scene, fit, machine, n,
-/// fraction_bits, rule, light_rule, L, fa, feeders, facets {read, triangulated, loaded, degenerate,
-/// outside}, ignored {primitives, lights, textures}, lights {read, used, outside, default}, cycles
-/// {load, light [per source], home [per source]}, load_words, voxels, lit [per source], beams
-/// {visits, merged, max_queue} and targets {total, absorbed, escaped, skipped} over all sources,
-/// sources [each with its own share], agreement {reference, voxels_differing, owners_differing,
-/// lights_differing, first}, seconds, files, commit, tools.
+/// fraction_bits, rule, light_rule, mode, L, fa, feeders, facets {read, triangulated, loaded,
+/// degenerate, outside}, ignored {primitives, lights, textures}, lights {read, used, outside,
+/// default}, cycles {load, light [per source], home [per source], hop_stages}, load_words, voxels,
+/// lit [per source], beams {visits, merged, max_queue} and targets {total, absorbed, escaped,
+/// skipped} over all sources, sources [each with its own share], agreement {reference,
+/// voxels_differing, owners_differing, lights_differing, first}, seconds, files, commit, tools.
 std::string to_json(const Report& report);
 
 /// The report as aligned lines of text for a reader who has not seen one before.

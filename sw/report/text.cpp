@@ -88,9 +88,10 @@ void light_lines(Page& page, const Report& report) {
     origin += fmt::format(", {} outside the cube skipped", report.lights.outside);
   }
   page.line("lights", origin);
-  page.line("", fmt::format("each aims at {} targets at distance L = {} (rule {}, queues of {})",
-                            total_targets(report.target_distance), report.target_distance,
-                            report.light_rule, report.fa));
+  page.line(
+      "", fmt::format("each aims at {} targets at distance L = {} (rule {}, {} mode, queues of {})",
+                      total_targets(report.target_distance), report.target_distance,
+                      report.light_rule, report.mode, report.fa));
   const bool clocked = report.machine != "golden";
   std::vector<std::string> head = {"light",    "voxel",   "colour", "lit voxels",
                                    "absorbed", "escaped", "skipped"};

@@ -158,12 +158,20 @@ class Run(HostTest):
 
     def test_options_reach_the_machine(self):
         self.succeed("run", "ball:3", "--n", 8, "--rule", "naive", "--fraction-bits", 2,
-                     "--target-distance", 5, "--fa", 1, "--out", "deep/er")
+                     "--target-distance", 5, "--fa", 1, "--mode", "thesis", "--out", "deep/er")
         report = self.report("deep/er")
         self.assertEqual((report["rule"], report["fraction_bits"]), ("naive", 2))
         self.assertEqual((report["L"], report["fa"]), (5, 1))
+        self.assertEqual((report["mode"], report["cycles"]["hop_stages"]), ("thesis", 3))
         self.assertEqual(report["targets"]["total"], 24 * 25 + 2)
         self.assertEqual(report["beams"]["max_queue"], 1)
+
+    def test_both_modes_light_the_same(self):
+        for mode in ("fast", "thesis"):
+            self.succeed("run", "room", "--n", 12, "--mode", mode, "--dump", mode + ".csv")
+            cycles = self.report()["cycles"]
+            self.assertEqual(len(cycles["light"]), len(self.report()["sources"]))
+        self.succeed("compare", "fast.csv", "thesis.csv")
 
     def test_every_rule(self):
         voxels = {}

@@ -30,22 +30,32 @@ double real(Dice& dice, double low, double high) {
   return low + (high - low) * static_cast<double>(dice.roll(0, 1 << 20)) / (1 << 20);
 }
 
-/// The three machines of one size. The Verilated one is made once and used by every test.
+/// The three machines of one build. The Verilated one is made once and used by every test.
 struct Machines {
-  explicit Machines(int n)
-      : rtl(make_rtl_machine(n, {})), golden(rtl->config()), cycle(rtl->config()) {}
+  explicit Machines(const std::string& name)
+      : rtl(make_rtl_machine(name, {})), golden(rtl->config()), cycle(rtl->config()) {}
   std::array<Machine*, 3> all() { return {rtl.get(), &cycle, &golden}; }
   std::unique_ptr<Machine> rtl;
   golden::GoldenMachine golden;
   cycle::CycleMachine cycle;
 };
 
-Machines& machines_of(int n) {
-  static std::map<int, std::unique_ptr<Machines>> made;
-  auto& machines = made[n];
-  if (machines == nullptr) machines = std::make_unique<Machines>(n);
+Machines& machines_of(const std::string& name) {
+  static std::map<std::string, std::unique_ptr<Machines>> made;
+  auto& machines = made[name];
+  if (machines == nullptr) machines = std::make_unique<Machines>(name);
   return *machines;
 }
+
+Machines& machines_of(int n) { return machines_of("n" + std::to_string(n)); }
+
+/// A Verilated machine, and how often a test draws lots for it.
+struct Draws {
+  const char* name;
+  int count;
+};
+
+std::string name_of(const testing::TestParamInfo<Draws>& draws) { return draws.param.name; }
 
 void load_everywhere(Machines& machines, const facet::PacketStream& packets) {
   machines.golden.load(packets, kQuiet);
@@ -72,6 +82,7 @@ void light_everywhere(Machines& machines, const LightJob& job, std::int64_t* cyc
   ASSERT_EQ(rtl.home_cycles, cycle.home_cycles);
   ASSERT_EQ(rtl.visits, cycle.visits);
   ASSERT_EQ(rtl.max_queue, cycle.max_queue);
+  ASSERT_EQ(rtl.queue_history, cycle.queue_history);
   if (cycles != nullptr) *cycles = rtl.cycles;
 }
 
@@ -121,11 +132,12 @@ bool pick_source(Dice& dice, int n, const VoxelMemory& voxels, glm::ivec3& sourc
   return false;
 }
 
-class RandomScenes : public testing::TestWithParam<std::pair<int, int>> {};
+class RandomScenes : public testing::TestWithParam<Draws> {};
 
 TEST_P(RandomScenes, AgreeOnAllThreeMachines) {
-  const auto [n, scenes] = GetParam();
-  Machines& machines = machines_of(n);
+  const auto [name, scenes] = GetParam();
+  Machines& machines = machines_of(name);
+  const int n = machines.rtl->config().n;
   Dice dice(static_cast<std::uint64_t>(n));
   for (int i = 0; i < scenes; ++i) {
     SCOPED_TRACE("scene " + std::to_string(i));
@@ -145,6 +157,26 @@ TEST_P(RandomScenes, AgreeOnAllThreeMachines) {
       ASSERT_NO_FATAL_FAILURE(light_everywhere(machines, job, &again));
       ASSERT_EQ(again, first) << "the same light takes other cycles after another light";
     }
+  }
+}
+
+// As it would be in silicon: lit or not, at the same time.
+TEST(WithoutCounts, VoxelsAreLitWhereTargetsArrive) {
+  Machines& machines = machines_of("lit_n8");
+  ASSERT_FALSE(machines.rtl->config().counts);
+  Dice dice(8);
+  for (int i = 0; i < 60; ++i) {
+    SCOPED_TRACE("scene " + std::to_string(i));
+    const auto facets = facet::build_facets(random_scene(dice, 8), 8, 4, facet::Rule::armoured);
+    ASSERT_NO_FATAL_FAILURE(load_everywhere(machines, facets.packets));
+    glm::ivec3 source;
+    if (!pick_source(dice, 8, machines.golden.read_voxels(), source)) continue;
+    const LightJob job{source, pick(dice, 7, 32), pick(dice, 1, 32)};
+    const LightResult cycle = machines.cycle.light(job, kQuiet);
+    ASSERT_EQ(machines.rtl->light(job, kQuiet).cycles, cycle.cycles);
+    LightMemory lit = machines.cycle.read_light();
+    for (std::uint32_t& targets : lit) targets = targets != 0 ? 1 : 0;
+    ASSERT_EQ(machines.rtl->read_light(), lit);
   }
 }
 
@@ -192,10 +224,12 @@ TEST_P(RandomPackets, LoadTheSameLayersOnAllThreeMachines) {
 INSTANTIATE_TEST_SUITE_P(Sizes, RandomPackets, testing::Values(4, 5, 8, 16),
                          [](const auto& size) { return "n" + std::to_string(size.param); });
 
-INSTANTIATE_TEST_SUITE_P(Sizes, RandomScenes,
-                         testing::Values(std::pair{4, 80}, std::pair{5, 60}, std::pair{8, 50},
-                                         std::pair{16, 20}),
-                         [](const auto& size) { return "n" + std::to_string(size.param.first); });
+INSTANTIATE_TEST_SUITE_P(Machines, RandomScenes,
+                         testing::Values(Draws{"n4", 200}, Draws{"n5", 150}, Draws{"n8", 150},
+                                         Draws{"n16", 50}, Draws{"thesis_n4", 80},
+                                         Draws{"thesis_n5", 60}, Draws{"thesis_n8", 50},
+                                         Draws{"thesis_n16", 20}),
+                         name_of);
 
 class RealScenes : public testing::TestWithParam<const char*> {};
 
@@ -208,11 +242,14 @@ TEST_P(RealScenes, AgreeOnAllThreeMachines) {
   ASSERT_GT(facets.packets.heads.size(), 0U);
   ASSERT_NO_FATAL_FAILURE(load_everywhere(machines, facet::build_layers(scene, kN, 4).packets));
   ASSERT_NO_FATAL_FAILURE(load_everywhere(machines, facets.packets));
+  Machines& thesis = machines_of("thesis_n16");
+  ASSERT_NO_FATAL_FAILURE(load_everywhere(thesis, facets.packets));
   Dice dice(6);
   for (const auto& [distance, fa] : {std::pair{2 * kN, 16}, std::pair{kN - 1, 1}}) {
     glm::ivec3 source;
     ASSERT_TRUE(pick_source(dice, kN, machines.golden.read_voxels(), source));
     ASSERT_NO_FATAL_FAILURE(light_everywhere(machines, {source, distance, fa}));
+    ASSERT_NO_FATAL_FAILURE(light_everywhere(thesis, {source, distance, fa}));
   }
 }
 

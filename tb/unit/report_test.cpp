@@ -284,6 +284,8 @@ Report sample() {
   report.machine = "cycle";
   report.rule = "armoured";
   report.light_rule = "thesis";
+  report.mode = "fast";
+  report.hop_stages = 2;
   report.n = 8;
   report.fraction_bits = 4;
   report.target_distance = 2;
@@ -309,11 +311,11 @@ TEST(ReportJson, HoldsEveryFact) {
   const Json json = Json::parse(to_json(sample()));
   const Json expected = Json::parse(R"({
     "scene": "room", "fit": "none", "machine": "cycle", "n": 8, "fraction_bits": 4,
-    "rule": "armoured", "light_rule": "thesis", "L": 2, "fa": 3, "feeders": 2, "load_words": 101,
+    "rule": "armoured", "light_rule": "thesis", "mode": "fast", "L": 2, "fa": 3, "feeders": 2, "load_words": 101,
     "facets": {"read": 20, "triangulated": 1, "loaded": 19, "degenerate": 1, "outside": 2},
     "ignored": {"primitives": 4, "lights": 5, "textures": 6},
     "lights": {"read": 3, "used": 2, "outside": 1, "default": false},
-    "cycles": {"load": 123, "light": [50, 51], "home": [60, 61]},
+    "cycles": {"load": 123, "light": [50, 51], "home": [60, 61], "hop_stages": 2},
     "voxels": 64, "lit": [12, 13],
     "beams": {"visits": 141, "merged": 17, "max_queue": 3},
     "targets": {"total": 196, "absorbed": 105, "escaped": 88, "skipped": 3},

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The cell's column of voxels with what loads it and reads it back: a stage of the row's facet pipe,
+// the dexel unit (thesis 3.4), the fill unit and the memories. A packet's word takes one cycle in the
+// stage; what the dexel and the fill unit take is said there.
+
+module rc2_voxels (
+    /*verilator tracing_off*/
+    input  logic                               clk_i,
+    input  logic                               rst_ni,
+    input  logic                               clear_i,
+    // row pipe: from the west, to the east
+    input  logic                               word_valid_i,
+    input  logic           [rc2_pkg::RowWordW-1:0] word_i,
+    output logic                               word_ready_o,
+    output logic                               word_valid_o,
+    output logic           [rc2_pkg::RowWordW-1:0] word_o,
+    input  logic                               word_ready_i,
+    // to and from the light
+    output logic           [     rc2_pkg::N-1:0] occupied_o,
+    output logic           [rc2_pkg::CoordW-1:0] light_addr_o,
+    input  logic           [ rc2_pkg::HomeW-1:0] light_i,  // of the address in the cycle before
+    input  logic           [rc2_pkg::ValueW-1:0] visits_i,
+    input  logic [rc2_pkg::HistoryW-1:0] history_i,
+    output logic                               busy_o
+);
+  localparam int unsigned N = rc2_pkg::N;
+  localparam int unsigned CoordW = rc2_pkg::CoordW;
+  localparam int unsigned RestW = rc2_pkg::RestW;
+  localparam int unsigned RowPayloadW = rc2_pkg::RowPayloadW;
+
+  /*verilator tracing_on*/
+  logic [N-1:0] occupied;
+  /*verilator tracing_off*/
+  assign occupied_o = occupied;
+
+  // ---- Loading: row pipe -> dexel -> column ------------------------------------------------------
+  logic stage_valid, unit_waits, unit_valid, unit_ready, stage_busy;
+  logic [rc2_pkg::KindW-1:0] unit_kind;
+  logic [RestW-1:0] unit_rest;
+  logic [rc2_pkg::RowWordW-1:0] stage_word;
+  rc2_facet_stage #(
+      .PayloadW(RowPayloadW)
+  ) u_stage (
+      .clk_i       (clk_i),
+      .rst_ni      (rst_ni),
+      .valid_i     (word_valid_i),
+      .word_i      (word_i),
+      .ready_o     (word_ready_o),
+      .unit_waits_o(unit_waits),
+      .unit_valid_o(unit_valid),
+      .unit_word_o ({unit_kind, unit_rest}),
+      .unit_ready_i(unit_ready),
+      .next_valid_o(stage_valid),
+      .next_word_o (stage_word),
+      .next_ready_i(word_ready_i),
+      .busy_o      (stage_busy)
+  );
+
+  logic is_read, is_end, dexel_ready, fill_ready, fill_busy;
+  logic [rc2_pkg::LayerW-1:0] dexel_layer;
+  logic [CoordW-1:0] dexel_z0, core_lo, core_hi;
+  /*verilator tracing_on*/
+  logic dexel_valid;
+  logic [rc2_pkg::FacetW-1:0] dexel_facet;
+  logic [CoordW-1:0] dexel_lo, dexel_hi;
+  /*verilator tracing_off*/
+  assign is_read = (unit_kind == rc2_pkg::KindRead);
+  assign is_end = (unit_kind == rc2_pkg::KindEnd);
+  rc2_dexel u_dexel (
+      .clk_i    (clk_i),
+      .rst_ni   (rst_ni),
+      .valid_i  (unit_waits && !is_read && !is_end),
+      .kind_i   (unit_kind),
+      .rest_i   (unit_rest),
+      .ready_o  (dexel_ready),
+      .take_i   (unit_valid && !is_read && !is_end && dexel_ready),
+      .valid_o  (dexel_valid),
+      .facet_o  (dexel_facet),
+      .layer_o  (dexel_layer),
+      .z0_o     (dexel_z0),
+      .lo_o     (dexel_lo),
+      .hi_o     (dexel_hi),
+      .core_lo_o(core_lo),
+      .core_hi_o(core_hi),
+      .ready_i  (fill_ready)
+  );
+
+  logic fill;
+  logic [CoordW-1:0] fill_z, owner_addr;
+  rc2_pkg::claim_t fill_owner, owner;
+  logic show, flip, thin;
+  logic [rc2_pkg::FacingW-1:0] fill_facing, facing;
+  rc2_fill u_fill (
+      .clk_i        (clk_i),
+      .rst_ni       (rst_ni),
+      .valid_i      (dexel_valid && unit_valid),
+      .facet_i      (dexel_facet),
+      .layer_i      (dexel_layer),
+      .facing_i     (unit_rest[rc2_pkg::DistW+rc2_pkg::GapValueW+:rc2_pkg::FacingW]),
+      .z0_i         (dexel_z0),
+      .lo_i         (dexel_lo),
+      .hi_i         (dexel_hi),
+      .core_lo_i    (core_lo),
+      .core_hi_i    (core_hi),
+      .gap_c_i      (unit_rest[rc2_pkg::DistW+:rc2_pkg::GapValueW]),
+      .gap_d_i      (unit_rest[rc2_pkg::GapValueW-1:0]),
+      .ready_o      (fill_ready),
+      .occupied_i   (occupied),
+      .read_addr_o  (owner_addr),
+      .read_owner_i (owner),
+      .read_facing_i(facing),
+      .write_o      (fill),
+      .write_facing_o(fill_facing),
+      .show_o       (show),
+      .flip_o       (flip),
+      .thin_o       (thin),
+      .write_addr_o (fill_z),
+      .write_owner_o(fill_owner),
+      .busy_o       (fill_busy)
+  );
+
+  // ---- The column and its readback -----------------------------------------------------------------
+  logic read, read_done, data_valid, column_busy;
+  rc2_pkg::data_t data;
+  assign read = unit_valid && is_read && !fill_busy;
+  rc2_column u_column (
+      .clk_i            (clk_i),
+      .rst_ni           (rst_ni),
+      .clear_i          (clear_i),
+      .occupied_o       (occupied),
+      .owner_o          (owner),
+      .owner_addr_i     (owner_addr),
+      .fill_i           (fill),
+      .fill_z_i         (fill_z),
+      .fill_owner_i     (fill_owner),
+      .facing_o         (facing),
+      .fill_facing_i    (fill_facing),
+      .show_i           (show),
+      .flip_i           (flip),
+      .thin_i           (thin),
+      .end_i            (unit_valid && is_end && !fill_busy),
+      .light_addr_o     (light_addr_o),
+      .light_i          (light_i),
+      .visits_i         (visits_i),
+      .history_i        (history_i),
+      .read_i           (read),
+      .read_what_i      (unit_rest[1:0]),
+      .read_done_o      (read_done),
+      .read_done_taken_i(unit_valid && is_read && read_done),
+      .data_valid_o     (data_valid),
+      .data_o           (data),
+      .data_ready_i     (word_ready_i),
+      .busy_o           (column_busy)
+  );
+
+  // A READ word waits in the stage while the column's own words go east, then follows them.
+  assign unit_ready = is_read ? read_done : is_end ? !fill_busy : dexel_ready;
+  assign word_valid_o = data_valid || stage_valid;
+  assign word_o = data_valid ?
+      {rc2_pkg::KindData, {(RowPayloadW - rc2_pkg::DataW) {1'b0}}, data} :
+      stage_word;
+
+  assign busy_o = stage_busy || fill_busy || column_busy;
+
+  // Contract: the row pipe carries one word at a time.
+  always_ff @(posedge clk_i) begin
+    if (rst_ni) begin
+      assert (!(data_valid && stage_valid));
+      assert (!(clear_i && busy_o));
+    end
+  end
+endmodule

@@ -1,0 +1,26 @@
+// The array while it is lit in fast mode (rtl/rc2_array.sv): side lanes and z lanes of all cells.
+#pragma once
+
+#include "sw/cycle/light_array.h"
+#include "sw/cycle/side_lane.h"
+#include "sw/cycle/z_lanes.h"
+#include "sw/machine/queue_history.h"
+
+namespace rc2::cycle {
+
+class LaneArray {
+ public:
+  LaneArray(int n, Columns& columns);
+
+  /// Lights the columns. Throws std::logic_error if targets are lost or beams block each other.
+  LightResult run(const LightJob& job, const Observer& observer, const Progress& progress);
+
+ private:
+  int n_;
+  Columns& columns_;
+  SideLane side_;
+  ZLanes z_;
+  QueueHistory history_;
+};
+
+}  // namespace rc2::cycle

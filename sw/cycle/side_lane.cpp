@@ -1,0 +1,256 @@
+#include "sw/cycle/side_lane.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "sw/cycle/cell.h"
+
+namespace rc2::cycle {
+namespace {
+
+// The one target that only x beams have: U = L and U = -L, a class of its own on the diagonals.
+constexpr ClassSet kEdge = ClassSet{1} << 63;
+
+int sign(int value) { return (value > 0) - (value < 0); }
+
+}  // namespace
+
+SideLane::SideLane(int n, Columns& columns)
+    : n_(n),
+      columns_(columns),
+      cells_(columns.size()),
+      held_(columns.size()),
+      listed_(columns.size()) {
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    cells_[i].x = static_cast<std::uint16_t>(i % static_cast<std::size_t>(n));
+    cells_[i].y = static_cast<std::uint16_t>(i / static_cast<std::size_t>(n));
+  }
+}
+
+void SideLane::start(const LightJob& light, const Classes& classes) {
+  light_ = light;
+  classes_ = &classes;
+  const auto depth = static_cast<std::size_t>(light.fa + 1) / 2;
+  if (depth != depth_) {
+    fifo_.assign(2 * depth * cells_.size(), {});
+    depth_ = depth;
+  }
+  for (Cell& cell : cells_) {
+    cell.table_made = cell.serving = false;
+    cell.start = 0;
+    cell.first = cell.count = {};
+  }
+  std::fill(held_.begin(), held_.end(), 0);
+  std::fill(listed_.begin(), listed_.end(), 0);
+  active_.clear();
+  tally_ = {};
+  absorbed_ = escaped_ = visits_ = merged_ = max_queue_ = last_served_ = 0;
+
+  const auto source = cell_number(light.source.x, light.source.y, n_);
+  Cell& cell = cells_[source];
+  const int distance = light.target_distance;
+  cell.serving = true;
+  cell.start = 1;
+  cell.beam = {{-distance, distance}, ClassSet{1} | kEdge, false};
+  held_[source] = 1;
+  reach(source);
+}
+
+int SideLane::steps(const Cell& cell) const {
+  return std::max(std::abs(cell.x - light_.source.x), std::abs(cell.y - light_.source.y));
+}
+
+Targets SideLane::clip(const Cell& cell) const {
+  return slope(cell).between(-light_.source.z, n_ - 1 - light_.source.z);
+}
+
+std::int64_t SideLane::weight(const Cell& cell, const ColumnBeam& beam) const {
+  const int offset = beam.along_y ? cell.x - light_.source.x : cell.y - light_.source.y;
+  return classes_->targets(steps(cell), offset, beam.u & ~kEdge) + ((beam.u & kEdge) != 0 ? 1 : 0) *
+         (offset == 0 ? 2 : 1);
+}
+
+void SideLane::reach(std::size_t cell) {
+  if (listed_[cell] == 0) {
+    listed_[cell] = 1;
+    active_.push_back(cell);
+  }
+}
+
+bool SideLane::step(std::int64_t cycle) {
+  arrivals_.clear();
+  taken_.clear();
+  bool moved = false;
+  for (const std::size_t number : active_) {
+    const bool served = serve(number, cycle);
+    const bool loaded = load(number, cycle);
+    moved = moved || served || loaded;
+  }
+  for (const auto& [number, from] : taken_) {
+    Cell& cell = cells_[number];
+    cell.first[from] = static_cast<std::uint16_t>((cell.first[from] + 1U) % depth_);
+    --cell.count[from];
+  }
+  for (const Arrival& arrival : arrivals_) {
+    Cell& cell = cells_[arrival.cell];
+    place(arrival.cell, arrival.from,
+          (cell.first[arrival.from] + std::size_t{cell.count[arrival.from]}) % depth_) =
+        arrival.beam;
+    ++cell.count[arrival.from];
+    reach(arrival.cell);
+  }
+  std::size_t kept = 0;
+  for (const std::size_t number : active_) {
+    const Cell& cell = cells_[number];
+    held_[number] = cell.count[0] + cell.count[1] + (cell.serving ? 1U : 0U);
+    max_queue_ = std::max<std::int64_t>(max_queue_, held_[number]);
+    listed_[number] = held_[number] != 0 || cell.start != 0 ? 1 : 0;
+    if (listed_[number] != 0) active_[kept++] = number;
+  }
+  active_.resize(kept);
+  return moved;
+}
+
+bool SideLane::serve(std::size_t number, std::int64_t cycle) {
+  Cell& cell = cells_[number];
+  const int k = steps(cell);
+  if (!cell.serving || cycle < 2 * k + 2) return false;
+  if (k == 0) {
+    if (!send(cell, cell.beam, cell.beam.v, cycle)) return false;
+    cell.serving = false;
+    if (cell.start == 1) {
+      cell.start = 0;
+      cell.serving = true;
+      cell.beam.along_y = true;
+      cell.beam.u = 1;
+    }
+  } else {
+    if (!cell.table_made) {
+      cell.table_made = true;
+      const int z = light_.source.z;
+      cell.table.fill(columns_, number, slope(cell), z, std::max(0, z - k), std::min(n_ - 1, z + k),
+                      k == 1 ? 1 : 2 * k - 2);
+    }
+    if (cycle < cell.table.ready()) return false;
+    if (!cell.table.knows(cell.beam.v.min)) {
+      const int z = light_.source.z;
+      cell.table.fill(columns_, number, slope(cell), z,
+                      z + slope(cell).offset(cell.beam.v.min), std::min(n_ - 1, z + k), cycle + 2);
+      return false;
+    }
+    const StopTable::Passage passage = cell.table.pass(cell.beam.v);
+    const Targets free = passage.free;
+    if (!free.none() && !send(cell, cell.beam, free, cycle)) return false;
+    absorb(number, cell.beam, {cell.beam.v.min, std::min(passage.end, free.min - 1)}, cycle);
+    absorb(number, cell.beam, {std::max(cell.beam.v.min, std::max(free.min, free.max + 1)), passage.end}, cycle);
+    cell.beam.v.min = passage.end + 1;
+    cell.serving = !cell.beam.v.none();
+  }
+  ++visits_;
+  last_served_ = cycle;
+  return true;
+}
+
+bool SideLane::send(const Cell& cell, const ColumnBeam& beam, const Targets& free,
+                    std::int64_t cycle) {
+  const int dx = cell.x - light_.source.x, dy = cell.y - light_.source.y;
+  const int ahead = beam.along_y ? dy : dx, aside = beam.along_y ? dx : dy;
+  const int k = steps(cell);
+  const Classes::Cut& cut = classes_->cut(k, aside);
+  const ClassSet edge = beam.u & kEdge, plain = beam.u & ~kEdge;
+  const std::size_t before = arrivals_.size();
+  std::int64_t sent = 0;
+  const auto child = [&](int forward, int sideways, ClassSet u) {
+    if (u == 0) return true;
+    const int x = cell.x + (beam.along_y ? sideways : forward);
+    const int y = cell.y + (beam.along_y ? forward : sideways);
+    if (x < 0 || y < 0 || x >= n_ || y >= n_) return true;
+    const auto to = cell_number(x, y, n_);
+    const From from = sideways == 0 ? kStraight : kDiagonal;
+    if (cells_[to].count[from] == depth_) return false;
+    if (from == kStraight) u <<= classes_->cut(k + 1, aside).come;
+    arrivals_.push_back({to, from, {free, u, beam.along_y}});
+    sent += weight(cells_[to], arrivals_.back().beam);
+    return true;
+  };
+  bool all = true;
+  for (const int forward : {-1, 1}) {
+    if (ahead != 0 && sign(ahead) != forward) continue;
+    all = all && child(forward, 0, staying(cut, plain));
+    for (const int sideways : {-1, 1}) {
+      if (aside != 0 && sign(aside) != sideways) continue;
+      const bool leaves = sideways < 0 ? cut.down : cut.up;
+      all = all && child(forward, sideways, (leaves ? leaving(cut, plain) : 0) | edge);
+    }
+  }
+  if (!all) {
+    arrivals_.resize(before);
+    return false;
+  }
+  const std::int64_t faces = ahead == 0 ? 2 : 1;
+  escape(cell, (faces * weight(cell, beam) - sent) * free.count(), cycle);
+  return true;
+}
+
+void SideLane::absorb(std::size_t number, const ColumnBeam& beam, Targets targets,
+                      std::int64_t cycle) {
+  if (targets.none()) return;
+  const Cell& cell = cells_[number];
+  const Slope along = slope(cell);
+  const std::int64_t each = weight(cell, beam);
+  int z = along.offset(targets.min);
+  while (targets.min <= targets.max) {
+    const int last = std::min(targets.max, along.lowest(z + 1) - 1);
+    const std::int64_t arrived = each * (std::int64_t{last} - targets.min + 1);
+    if (arrived > 0) {
+      columns_.absorb(number, light_.source.z + z, arrived);
+      absorbed_ += arrived;
+      tally_.finish(cycle, cell.x, cell.y, arrived);
+    }
+    targets.min = std::max(targets.min, last + 1);
+    ++z;
+  }
+}
+
+void SideLane::escape(const Cell& cell, std::int64_t targets, std::int64_t cycle) {
+  escaped_ += targets;
+  tally_.finish(cycle, cell.x, cell.y, targets);
+}
+
+bool SideLane::load(std::size_t number, std::int64_t cycle) {
+  Cell& cell = cells_[number];
+  if (cell.serving || cycle < 2 * steps(cell) + 2 || (cell.count[0] == 0 && cell.count[1] == 0)) {
+    return false;
+  }
+  const auto head = [&](From from) -> const ColumnBeam& {
+    return place(number, from, cell.first[from]);
+  };
+  ColumnBeam beam;
+  if (cell.count[kStraight] != 0 && cell.count[kDiagonal] != 0) {
+    const ColumnBeam &a = head(kStraight), &b = head(kDiagonal);
+    if (a.v.min == b.v.min && a.v.max == b.v.max) {
+      beam = a;
+      beam.u |= b.u;
+      taken_.emplace_back(number, kStraight);
+      taken_.emplace_back(number, kDiagonal);
+      ++merged_;
+    } else {
+      const bool first = a.v.min < b.v.min || (a.v.min == b.v.min && a.v.max < b.v.max);
+      beam = first ? a : b;
+      taken_.emplace_back(number, first ? kStraight : kDiagonal);
+    }
+  } else {
+    const From from = cell.count[kStraight] != 0 ? kStraight : kDiagonal;
+    beam = head(from);
+    taken_.emplace_back(number, from);
+  }
+  const Targets within = clip(cell);
+  const Targets kept{std::max(beam.v.min, within.min), std::min(beam.v.max, within.max)};
+  escape(cell, weight(cell, beam) * (beam.v.count() - kept.count()), cycle);
+  beam.v = kept;
+  cell.beam = beam;
+  cell.serving = !kept.none();
+  return true;
+}
+
+}  // namespace rc2::cycle

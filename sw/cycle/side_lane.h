@@ -1,0 +1,100 @@
+// The side lanes of all cells: beams towards the x and y faces (rtl/light/rc2_side_lane.sv).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "sw/cycle/classes.h"
+#include "sw/cycle/column.h"
+#include "sw/cycle/stop_table.h"
+#include "sw/cycle/tally.h"
+#include "sw/machine/machine.h"
+
+namespace rc2::cycle {
+
+/// A beam of a whole column: V targets of one interval, U targets of some classes of the cell. It
+/// is at as many voxels as its V targets are.
+struct ColumnBeam {
+  Targets v;
+  ClassSet u;
+  bool along_y;
+};
+
+/// What a cell holds of side beams: one FIFO for the neighbour towards the light in the same row or
+/// column (`straight`), one for the diagonal neighbour, and the beam that is served.
+class SideLane {
+ public:
+  SideLane(int n, Columns& columns);
+
+  void start(const LightJob& light, const Classes& classes);
+
+  bool busy() const { return !active_.empty(); }
+
+  /// One cycle of all cells; false if nothing moved.
+  bool step(std::int64_t cycle);
+
+  /// Beams in each cell.
+  const std::vector<std::uint32_t>& queues() const { return held_; }
+
+  /// The last cycle in which a beam was served.
+  std::int64_t last_served() const { return last_served_; }
+
+  const Tally& tally() const { return tally_; }
+  std::int64_t absorbed() const { return absorbed_; }
+  std::int64_t escaped() const { return escaped_; }
+  std::int64_t visits() const { return visits_; }
+  std::int64_t merged() const { return merged_; }
+  std::int64_t max_queue() const { return max_queue_; }
+  const std::vector<std::size_t>& active() const { return active_; }
+
+ private:
+  enum From : unsigned { kStraight, kDiagonal };
+  struct Cell {
+    std::uint16_t x, y;
+    bool table_made;
+    bool serving;
+    std::uint8_t start;           // the source's beams that are still to come
+    std::array<std::uint16_t, 2> first, count;
+    ColumnBeam beam;              // being served
+    StopTable table;
+  };
+  struct Arrival {
+    std::size_t cell;
+    From from;
+    ColumnBeam beam;
+  };
+
+  int steps(const Cell& cell) const;
+  Slope slope(const Cell& cell) const { return {steps(cell), light_.target_distance}; }
+  Targets clip(const Cell& cell) const;
+  std::int64_t weight(const Cell& cell, const ColumnBeam& beam) const;
+  ColumnBeam& place(std::size_t cell, From from, std::size_t index) {
+    return fifo_[(cell * 2 + from) * depth_ + index];
+  }
+  void reach(std::size_t cell);
+  bool serve(std::size_t number, std::int64_t cycle);
+  bool send(const Cell& cell, const ColumnBeam& beam, const Targets& free, std::int64_t cycle);
+  void absorb(std::size_t number, const ColumnBeam& beam, Targets targets, std::int64_t cycle);
+  bool load(std::size_t number, std::int64_t cycle);
+  void escape(const Cell& cell, std::int64_t targets, std::int64_t cycle);
+
+  int n_;
+  Columns& columns_;
+  LightJob light_{};
+  const Classes* classes_ = nullptr;
+  std::size_t depth_ = 0;
+  std::vector<Cell> cells_;
+  std::vector<ColumnBeam> fifo_;
+  std::vector<std::uint32_t> held_;
+  std::vector<std::uint8_t> listed_;
+  std::vector<std::size_t> active_;
+  std::vector<Arrival> arrivals_;
+  std::vector<std::pair<std::size_t, From>> taken_;
+
+  Tally tally_;
+  std::int64_t absorbed_ = 0, escaped_ = 0, visits_ = 0, merged_ = 0, max_queue_ = 0;
+  std::int64_t last_served_ = 0;
+};
+
+}  // namespace rc2::cycle

@@ -1,0 +1,144 @@
+#include "sw/cycle/z_lanes.h"
+
+#include <algorithm>
+
+#include "sw/cycle/cell.h"
+
+namespace rc2::cycle {
+namespace {
+
+int sign(int value) { return (value > 0) - (value < 0); }
+
+}  // namespace
+
+ZLanes::ZLanes(int n, Columns& columns) : n_(n), columns_(columns) {}
+
+ClassSet* ZLanes::rows(std::vector<ClassSet>& front, int x, int y) {
+  return front.data() + cell_number(x, y, n_) * height_;
+}
+
+void ZLanes::run(const LightJob& light, const Classes& classes) {
+  light_ = light;
+  classes_ = &classes;
+  height_ = static_cast<std::size_t>(classes.most());
+  now_.assign(columns_.size() * height_, 0);
+  next_.assign(columns_.size() * height_, 0);
+  tally_ = {};
+  cycles_ = absorbed_ = escaped_ = visits_ = 0;
+  run_lane(false);
+  run_lane(true);
+}
+
+void ZLanes::run_lane(bool down) {
+  const int last = down ? light_.source.z : n_ - 1 - light_.source.z;
+  Box box{light_.source.x, light_.source.x, light_.source.y, light_.source.y};
+  *rows(now_, box.x0, box.y0) = 1;
+  for (int step = 0; step <= last; ++step) {
+    const std::int64_t cycle = 2 * step + (down ? 2 : 1);
+    cycles_ = std::max(cycles_, cycle);
+    if (step > 0) enter(box, step, light_.source.z + (down ? -step : step), cycle);
+    leave(box, step, step == last, cycle);
+    if (step == last) break;
+    const Box wider{std::max(box.x0 - 1, 0), std::min(box.x1 + 1, n_ - 1), std::max(box.y0 - 1, 0),
+                    std::min(box.y1 + 1, n_ - 1)};
+    advance(box, wider, step);
+    std::swap(now_, next_);
+    box = wider;
+  }
+}
+
+// What meets a stop in this layer is absorbed.
+void ZLanes::enter(const Box& box, int step, int z, std::int64_t cycle) {
+  for (int y = box.y0; y <= box.y1; ++y) {
+    for (int x = box.x0; x <= box.x1; ++x) {
+      ClassSet* const matrix = rows(now_, x, y);
+      const int dx = x - light_.source.x, dy = y - light_.source.y;
+      const std::size_t count = classes_->cut(step, dx).count;
+      ClassSet any = 0;
+      for (std::size_t i = 0; i < count; ++i) any |= matrix[i];
+      if (any == 0) continue;
+      ++visits_;
+      const auto column = cell_number(x, y, n_);
+      if (!columns_.occupied(column, z)) continue;
+      const std::int64_t arrived = targets(step, dx, dy, matrix);
+      columns_.absorb(column, z, arrived);
+      absorbed_ += arrived;
+      tally_.finish(cycle, x, y, arrived);
+      std::fill_n(matrix, count, 0);
+    }
+  }
+}
+
+// Counts what leaves the cube in the step after this one.
+void ZLanes::leave(const Box& box, int step, bool all, std::int64_t cycle) {
+  for (int y = box.y0; y <= box.y1; ++y) {
+    for (int x = box.x0; x <= box.x1; ++x) {
+      if (!all && x != 0 && y != 0 && x != n_ - 1 && y != n_ - 1) continue;
+      const int dx = x - light_.source.x, dy = y - light_.source.y;
+      const ClassSet* const matrix = rows(now_, x, y);
+      std::int64_t gone = targets(step, dx, dy, matrix);
+      if (gone == 0) continue;
+      if (!all) {
+        const Classes::Cut &u = classes_->cut(step, dx), &v = classes_->cut(step, dy);
+        const auto part = [&](const Classes::Cut& cut, int to, ClassSet set) {
+          return to == 0 ? staying(cut, set) : (to < 0 ? cut.down : cut.up) ? leaving(cut, set) : 0;
+        };
+        const auto list = [&](int d, int to) { return d + to; };
+        for (int to_x = -1; to_x <= 1; ++to_x) {
+          if (x + to_x < 0 || x + to_x >= n_) continue;
+          if (to_x != 0 && dx != 0 && sign(dx) != to_x) continue;
+          for (int to_y = -1; to_y <= 1; ++to_y) {
+            if (y + to_y < 0 || y + to_y >= n_) continue;
+            if (to_y != 0 && dy != 0 && sign(dy) != to_y) continue;
+            const auto come = [&](int d, int to) {
+              return to == 0 ? classes_->cut(step + 1, d).come : 0;
+            };
+            for (std::size_t i = 0; i < u.count; ++i) {
+              const ClassSet row = part(u, to_x, ClassSet{1} << i) << come(dx, to_x);
+              const ClassSet bits = part(v, to_y, matrix[i]) << come(dy, to_y);
+              gone -= classes_->targets(step + 1, list(dx, to_x), row) *
+                      classes_->targets(step + 1, list(dy, to_y), bits);
+            }
+          }
+        }
+      }
+      escaped_ += gone;
+      tally_.finish(cycle, x, y, gone);
+    }
+  }
+}
+
+void ZLanes::advance(const Box& from, const Box& to, int step) {
+  for (int y = to.y0; y <= to.y1; ++y) {
+    const int dy = y - light_.source.y, inner_y = y - sign(dy);
+    const Classes::Cut& v = classes_->cut(step + 1, dy);
+    const bool own_y = from.y0 <= y && y <= from.y1;
+    for (int x = to.x0; x <= to.x1; ++x) {
+      const int dx = x - light_.source.x, inner_x = x - sign(dx);
+      const Classes::Cut& u = classes_->cut(step + 1, dx);
+      ClassSet* const matrix = rows(next_, x, y);
+      for (int i = 0; i < u.count; ++i) {
+        const bool comes = i < u.come;
+        const int at = comes ? inner_x : x;
+        const int row = comes ? classes_->cut(step, dx - sign(dx)).leave + i : i - u.come;
+        ClassSet bits = 0;
+        if (v.come != 0) {
+          bits = leaving(classes_->cut(step, dy - sign(dy)), rows(now_, at, inner_y)[row]);
+        }
+        if (own_y) bits |= staying(classes_->cut(step, dy), rows(now_, at, y)[row]) << v.come;
+        matrix[i] = bits;
+      }
+    }
+  }
+}
+
+std::int64_t ZLanes::targets(int step, int dx, int dy, const ClassSet* matrix) const {
+  std::int64_t sum = 0;
+  for (std::size_t i = 0; i < classes_->cut(step, dx).count; ++i) {
+    if (matrix[i] == 0) continue;
+    sum += classes_->targets(step, dx, ClassSet{1} << i) * classes_->targets(step, dy, matrix[i]);
+  }
+  return sum;
+}
+
+}  // namespace rc2::cycle
