@@ -12,44 +12,17 @@
 #include <vector>
 
 #include "Vrc2_machine.h"
-#include "sim/host_word.h"
 #include "sim/rtl_machine.h"
 #include "sim/wave_list.h"
 #include "sw/machine/checks.h"
 #include "sw/machine/feeder.h"
+#include "sw/machine/host_port.h"
+#include "sw/machine/host_word.h"
 
 namespace rc2 {
 namespace {
 
-// Registers of rtl/rc2_machine.sv.
-enum Register : std::uint8_t {
-  kId = 0x00,
-  kN = 0x04,
-  kF = 0x08,
-  kLmax = 0x0C,
-  kFamax = 0x10,
-  kPacketBits = 0x14,
-  kReadbackBits = 0x18,
-  kFacetNumberBits = 0x1C,
-  kFeeders = 0x38,
-  kLayers = 0x3C,
-  kCommand = 0x20,
-  kStatus = 0x24,
-  kBusyCycles = 0x28,
-  kHomeCycle = 0x2C,
-  kHome = 0x30,
-  kSourceX = 0x40,
-  kSourceY = 0x44,
-  kSourceZ = 0x48,
-  kDistance = 0x4C,
-  kFa = 0x50,
-  kTargets = 0x54,
-};
-constexpr std::uint32_t kMachineId = 0x52433201;
-constexpr std::uint32_t kCommandClear = 1;
-constexpr std::uint32_t kCommandStart = 2;
-constexpr std::uint32_t kStatusBusy = 1;
-constexpr std::uint32_t kStatusHome = 2;
+using namespace host_port;
 
 // The array reports itself busy a few cycles late (rc2_array); nothing starts within that time.
 constexpr int kBusyDelay = 8;
@@ -76,7 +49,7 @@ class VerilatedMachine final : public Machine {
         read_register(kReadbackBits) != static_cast<std::uint32_t>(format_.readback_bits()) ||
         read_register(kFacetNumberBits) != kFacetBits) {
       throw std::logic_error(
-          "rtl/rc2_pkg.sv and sim/host_word.h disagree about the width of a word");
+          "rtl/rc2_pkg.sv and sw/machine/host_word.h disagree about the width of a word");
     }
   }
 
