@@ -39,6 +39,9 @@ struct RunOptions : SceneOptions {
   std::int64_t waves_cycles = 10000;
 
   int distance() const { return target_distance.value_or(2 * n); }
+
+  /// What a machine must have been built for.
+  MachineConfig needs() const { return {n, fraction_bits, distance(), fa, feeder_count()}; }
 };
 
 /// Declare the options of a command; `machine` is the default one.

@@ -18,6 +18,7 @@
 #include "sw/machine/feeder.h"
 #include "sw/machine/host_port.h"
 #include "sw/machine/host_word.h"
+#include "sw/machine/readback.h"
 
 namespace rc2 {
 namespace {
@@ -145,8 +146,7 @@ class VerilatedMachine final : public Machine {
   LayerMemory read_layers() override {
     LayerMemory memory;
     for (const Reading& reading : read_back(ReadWhat::layers)) {
-      const auto has = [&](int bit) { return (reading.value >> bit & 1U) != 0; };
-      memory.push_back({reading.at, has(0), has(1), has(2), has(3)});
+      memory.push_back(unpacked_layers(reading.at, reading.value));
     }
     return memory;
   }
