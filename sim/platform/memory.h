@@ -31,7 +31,8 @@ class Memory : public sc_core::sc_module {
     }
     if (transaction.is_write()) std::memcpy(&bytes_[address], transaction.get_data_ptr(), length);
     if (transaction.is_read()) std::memcpy(transaction.get_data_ptr(), &bytes_[address], length);
-    delay += clock_period_ * ((length + 7) / 8);
+    const unsigned beats = (length + 7) / 8;
+    delay += clock_period_ * beats;
     transaction.set_response_status(::tlm::TLM_OK_RESPONSE);
   }
 

@@ -3,10 +3,13 @@
 namespace rc2 {
 
 Readback::Readback(const MachineConfig& config)
-    : n_(config.n), format_(config), cells_(static_cast<std::size_t>(config.n * config.n)) {}
+    : n_(config.n),
+      format_(config),
+      cells_(static_cast<std::size_t>(config.n) * static_cast<std::size_t>(config.n)) {}
 
 void Readback::add(glm::ivec3 at, std::uint32_t value) {
-  cells_[static_cast<std::size_t>(at.y * n_ + at.x)].push_back({at.z, value});
+  const int cell = at.y * n_ + at.x;
+  cells_[static_cast<std::size_t>(cell)].push_back({at.z, value});
 }
 
 std::vector<std::vector<std::uint64_t>> Readback::beats() const {

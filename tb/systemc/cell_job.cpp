@@ -131,8 +131,8 @@ void CellJob::ask(Bench& bench, ReadWhat what, const Readback& answer) {
   }
   const Beat question(HostWord(format_, what, Leads::cells));
   bench.send(kWordsIn, question);
-  const auto cell = static_cast<std::size_t>(cell_.y * kArray.n + cell_.x);
-  const std::vector<std::uint64_t> beats = answer.beats()[cell];
+  const int number = cell_.y * kArray.n + cell_.x;
+  const std::vector<std::uint64_t> beats = answer.beats()[static_cast<std::size_t>(number)];
   for (const std::uint64_t beat : beats) {
     Expectation wanted{cell_, pack_data(beat)};
     const ReadbackWord word = unpack_readback(format_, beat);

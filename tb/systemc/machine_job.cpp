@@ -60,7 +60,7 @@ bool MachineJob::next(Bench& bench) {
 }
 
 void MachineJob::identify() {
-  plan_.push_back([this](Bench& bench) {
+  plan_.emplace_back([this](Bench& bench) {
     read(bench, kId, kMachineId);
     read(bench, kN, kMachine.n);
     read(bench, kF, kMachine.fraction_bits);
@@ -80,11 +80,11 @@ void MachineJob::plan_job() {
   packets_ = dense_packets(dice_, kMachine, 25, cell);
   golden_.load(packets_, kQuiet);
 
-  plan_.push_back([](Bench& bench) {
+  plan_.emplace_back([](Bench& bench) {
     write(bench, kCommand, kCommandClear);
     bench.pause(kBusyDelay);
   });
-  plan_.push_back([this](Bench& bench) { load(bench); });
+  plan_.emplace_back([this](Bench& bench) { load(bench); });
   plan_wait(0, true);
   plan_read(ReadWhat::voxels);
   plan_read(ReadWhat::layers);
@@ -98,7 +98,7 @@ void MachineJob::plan_light(glm::ivec3 source) {
                      static_cast<int>(dice_.roll_size(kMachine.max_fa))};
   const auto total = static_cast<std::uint32_t>(total_targets(job.target_distance));
   plan_wait(0, false);
-  plan_.push_back([this, job, total](Bench& bench) {
+  plan_.emplace_back([this, job, total](Bench& bench) {
     golden_.light(job, kQuiet);
     write(bench, kSourceX, static_cast<std::uint32_t>(job.source.x));
     write(bench, kSourceY, static_cast<std::uint32_t>(job.source.y));
@@ -109,20 +109,20 @@ void MachineJob::plan_light(glm::ivec3 source) {
     write(bench, kCommand, kCommandStart);
   });
   plan_wait(kStatusHome, true);
-  plan_.push_back([total](Bench& bench) { read(bench, kHome, total); });
+  plan_.emplace_back([total](Bench& bench) { read(bench, kHome, total); });
   plan_read(ReadWhat::light);
   plan_read(ReadWhat::counters);
 }
 
 void MachineJob::plan_read(ReadWhat what) {
-  plan_.push_back([this, what](Bench& bench) { ask(bench, what); });
+  plan_.emplace_back([this, what](Bench& bench) { ask(bench, what); });
 }
 
 void MachineJob::plan_wait(std::uint32_t status, bool note) {
-  plan_.push_back([this, status](Bench& bench) { poll(bench, status, 0); });
+  plan_.emplace_back([this, status](Bench& bench) { poll(bench, status, 0); });
   if (!note) return;
-  plan_.push_back([](Bench& bench) { read_any(bench, kBusyCycles); });
-  plan_.push_back([this](Bench& bench) { busy_cycles_.push_back(bench.last(kR).limbs[0]); });
+  plan_.emplace_back([](Bench& bench) { read_any(bench, kBusyCycles); });
+  plan_.emplace_back([this](Bench& bench) { busy_cycles_.push_back(bench.last(kR).limbs[0]); });
 }
 
 // The reference cannot know how often the answer is "busy", but the last poll says what it waits

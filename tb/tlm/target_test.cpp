@@ -6,8 +6,7 @@
 #include <tlm_utils/simple_initiator_socket.h>
 
 #include <algorithm>
-#include <cstring>
-#include <deque>
+#include <cmath>
 #include <vector>
 
 #include "sw/cycle/cycle_machine.h"
@@ -60,7 +59,7 @@ class Target : public testing::Test {
     transaction.set_byte_enable_ptr(enables);
     sc_core::sc_time delay;
     platform->initiator.socket->b_transport(transaction, delay);
-    cycles_ = static_cast<std::int64_t>(delay / sc_core::sc_time(kPeriod, sc_core::SC_NS) + 0.5);
+    cycles_ = std::llround(delay / sc_core::sc_time(kPeriod, sc_core::SC_NS));
     const bool failed = transaction.is_response_error();
     EXPECT_EQ(platform->target.last_error().empty(), !failed);
     return transaction.get_response_status();
