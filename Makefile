@@ -10,6 +10,7 @@
 ##   bench-load  loading: cycles of real scenes, leaks, rounded coefficients, speed of the host, as
 ##             the docs show them
 ##   oracle    the voxels of 1,500,000 facets against exact arithmetic, as the docs show it
+##   systemc   the SystemC test benches and the example TLM-2.0 platform, waveforms under out/systemc/
 ##   test      every test; the last line is their summary
 ##   lint      verilator -Wall, yosys on every module alone, clang-format, clang-tidy
 ##   sanitize  the software's tests with address and undefined-behaviour sanitizers
@@ -78,7 +79,7 @@ cmake_build := cmake --build build -j $(jobs) --target
 test_sizes := 4 5 8 16
 known_sizes := $(test_sizes) 32
 
-.PHONY: help setup build sim thesis chapter2 bench-load oracle test lint sanitize rtl format clean
+.PHONY: help setup build sim thesis chapter2 bench-load oracle systemc test lint sanitize rtl format clean
 .NOTPARALLEL:
 
 help:
@@ -118,6 +119,10 @@ bench-load: build
 oracle: build/build.ninja
 	$(cmake_build) oracle_run
 	@build/tb/load/oracle_run --facets 1500000
+
+systemc: build/build.ninja
+	$(cmake_build) rc2 rc2_platform systemc_cell systemc_machine rtl_n16
+	@scripts/systemc '$(OUT)/systemc'
 
 test: build/build.ninja
 	$(cmake_build) all $(test_sizes:%=rtl_n%) $(test_sizes:%=rtl_thesis_n%)

@@ -43,6 +43,13 @@ struct RunOptions : SceneOptions {
     return mode == "thesis" ? LightMode::thesis : LightMode::fast;
   }
   int distance() const { return target_distance.value_or(2 * n); }
+
+  /// What a machine must have been built for.
+  MachineConfig needs() const {
+    MachineConfig config{n, fraction_bits, distance(), fa, feeder_count()};
+    config.mode = light_mode();
+    return config;
+  }
 };
 
 /// Declare the options of a command; `machine` is the default one.

@@ -48,17 +48,10 @@ report::Report describe(const RunOptions& options, const Job& job) {
   return report;
 }
 
-MachineConfig needs(const RunOptions& options) {
-  MachineConfig config{options.n, options.fraction_bits, options.distance(), options.fa,
-                       options.feeder_count()};
-  config.mode = options.light_mode();
-  return config;
-}
-
 // Loads and lights the machine, and puts into the report what it did.
 report::Memories run_machine(const RunOptions& options, const Job& job, Lamps& lamps,
                              ProgressBar& bar, Stopwatch& watch, report::Report& report) {
-  const auto machine = make_machine(options.machine, needs(options),
+  const auto machine = make_machine(options.machine, options.needs(),
                                     {options.waves, options.waves_from, options.waves_cycles});
   Drive drive(*machine, options.machine, bar);
   drive.load(job.facets);
@@ -82,7 +75,7 @@ report::Memories run_machine(const RunOptions& options, const Job& job, Lamps& l
 report::Comparison compare_with_reference(const RunOptions& options, const Job& job,
                                           const Lamps& lamps, ProgressBar& bar,
                                           const report::Memories& memories) {
-  const auto golden = make_machine(kReference, needs(options));
+  const auto golden = make_machine(kReference, options.needs());
   Drive drive(*golden, kReference, bar);
   drive.load(job.facets);
   // A machine that lost a voxel may have a lamp where the reference has none to spare. Without

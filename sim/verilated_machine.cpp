@@ -12,51 +12,19 @@
 #include <vector>
 
 #include "Vrc2_machine.h"
-#include "sim/host_word.h"
 #include "sim/rtl_machine.h"
 #include "sim/wave_list.h"
 #include "sw/machine/checks.h"
 #include "sw/machine/feeder.h"
+#include "sw/machine/host_port.h"
+#include "sw/machine/host_word.h"
 #include "sw/machine/queue_history.h"
+#include "sw/machine/readback.h"
 
 namespace rc2 {
 namespace {
 
-// Registers of rtl/rc2_machine.sv.
-enum Register : std::uint8_t {
-  kId = 0x00,
-  kN = 0x04,
-  kF = 0x08,
-  kLmax = 0x0C,
-  kFamax = 0x10,
-  kPacketBits = 0x14,
-  kReadbackBits = 0x18,
-  kFacetNumberBits = 0x1C,
-  kGapAndFacing = 0x34,
-  kFeeders = 0x38,
-  kLayers = 0x3C,
-  kCommand = 0x20,
-  kStatus = 0x24,
-  kBusyCycles = 0x28,
-  kHomeCycle = 0x2C,
-  kHome = 0x30,
-  kSourceX = 0x40,
-  kSourceY = 0x44,
-  kSourceZ = 0x48,
-  kDistance = 0x4C,
-  kFa = 0x50,
-  kTargets = 0x54,
-  kInverse = 0x58,
-  kBuild = 0x5C,
-  kInverseBits = 0x60,
-};
-constexpr std::uint32_t kBuildThesis = 1;
-constexpr std::uint32_t kBuildCounts = 2;
-constexpr std::uint32_t kMachineId = 0x52433201;
-constexpr std::uint32_t kCommandClear = 1;
-constexpr std::uint32_t kCommandStart = 2;
-constexpr std::uint32_t kStatusBusy = 1;
-constexpr std::uint32_t kStatusHome = 2;
+using namespace host_port;
 
 // The array reports itself busy a few cycles late (rc2_array); nothing starts within that time.
 constexpr int kBusyDelay = 8;
@@ -83,7 +51,7 @@ class VerilatedMachine final : public Machine {
         read_register(kReadbackBits) != static_cast<std::uint32_t>(format_.readback_bits()) ||
         read_register(kFacetNumberBits) != kFacetBits ||
         read_register(kGapAndFacing) != WordFormat::gap_and_facing()) {
-      throw std::logic_error("rtl/rc2_pkg.sv and sim/host_word.h disagree about a word");
+      throw std::logic_error("rtl/rc2_pkg.sv and sw/machine/host_word.h disagree about a word");
     }
   }
 
@@ -124,10 +92,8 @@ class VerilatedMachine final : public Machine {
     write_register(kSourceZ, static_cast<std::uint32_t>(job.source.z));
     write_register(kDistance, static_cast<std::uint32_t>(job.target_distance));
     write_register(kFa, static_cast<std::uint32_t>(job.fa));
-    // 1/L, rounded down to a fraction of kInverseBits bits; the largest fraction for L = 1.
-    const std::uint64_t one = std::uint64_t{1} << read_register(kInverseBits);
-    write_register(kInverse, static_cast<std::uint32_t>(std::min(
-                                 one - 1, one / static_cast<std::uint64_t>(job.target_distance))));
+    write_register(kInverse, inverse_of(job.target_distance,
+                                        static_cast<int>(read_register(kInverseBits))));
     LightResult result;
     result.targets.total = total_targets(job.target_distance);
     write_register(kTargets, static_cast<std::uint32_t>(result.targets.total));
@@ -193,8 +159,7 @@ class VerilatedMachine final : public Machine {
   LayerMemory read_layers() override {
     LayerMemory memory;
     for (const Reading& reading : read_back(ReadWhat::layers)) {
-      const auto has = [&](int bit) { return (reading.value >> bit & 1U) != 0; };
-      memory.push_back({reading.at, has(0), has(1), has(2), has(3)});
+      memory.push_back(unpacked_layers(reading.at, reading.value));
     }
     return memory;
   }

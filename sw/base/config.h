@@ -93,4 +93,9 @@ constexpr int side_bits(int n, int f) { return coordinate_bits(n) + f + 2; }
 /// Bits of a side's push: half of two edges, and what rounding adds.
 constexpr int push_bits(int n, int f) { return coordinate_bits(n) + f + 1; }
 
+/// Fraction bits of 1/L, as light in lanes wants it.
+constexpr int inverse_bits(const MachineConfig& config) {
+  return coordinate_bits(config.n) + 2 * bits_for(config.max_distance + 1LL) + 2;
+}
+
 }  // namespace rc2

@@ -4,25 +4,31 @@ namespace rc2::cycle {
 
 namespace {
 
-// The end of an object concerns every unit.
-bool is_for_all(const Word& word) { return word.kind == WordKind::end; }
+// The end of an object and a question concern every unit.
+bool is_for_all(const Word& word) {
+  return word.kind == WordKind::end || word.kind == WordKind::read;
+}
+
+// An answer is on its way to the host.
+bool passes_by(const Word& word) { return word.kind == WordKind::data; }
 
 }  // namespace
 
 bool FacetStage::here() const {
   if (is_for_all(front())) return true;
+  if (passes_by(front())) return false;
   return front().kind == WordKind::head ? front().skip[lead_] == 0 : here_;
 }
 
 bool FacetStage::on() const {
-  if (is_for_all(front())) return true;
+  if (is_for_all(front()) || passes_by(front())) return true;
   return front().kind == WordKind::head ? front().skip[lead_] != 0 || front().take[lead_] > 1 : on_;
 }
 
 Word FacetStage::stepped() const {
   Word word = front();
   if (word.kind != WordKind::head) {
-    if (here_) word.d += word.step[lead_] * stride_;
+    if (here()) word.d += word.step[lead_] * stride_;
   } else if (word.skip[lead_] == 0) {
     --word.take[lead_];
   } else {

@@ -15,7 +15,7 @@ LoadArray::LoadArray(int n, int feeders, Columns& columns)
     : n_(static_cast<std::size_t>(n)),
       feeders_(static_cast<std::size_t>(feeders)),
       columns_(columns),
-      cells_(n_ * n_, Cell(n)) {
+      cells_(n_ * n_, CellLoader(n)) {
   for (std::size_t stage = 0; stage < n_ * (n_ + 1); ++stage) {
     if (is_feeder(stage)) {
       stages_.emplace_back(Pipe::vertical, feeders);
@@ -36,29 +36,34 @@ std::int64_t LoadArray::run(const facet::PacketStream& packets, const LoadObserv
   const auto unsent = [&] {
     return std::any_of(host.begin(), host.end(), [](const FeederWords& f) { return !f.done(); });
   };
-  std::vector<std::uint8_t> taken(feeders_);
+  std::vector<std::optional<Word>> words(feeders_);
   std::int64_t busy_cycles = 0;
-  while (!active_.empty() || unsent()) {
-    if (!active_.empty()) {
+  while (busy() || unsent()) {
+    if (busy()) {
       ++busy_cycles;
       if (observer) show(observer, busy_cycles);
     }
     for (std::size_t k = 0; k < feeders_; ++k) {
-      taken[k] = !host[k].done() && stages_[k * (n_ + 1)].ready() ? 1 : 0;
+      words[k].reset();
+      if (!host[k].done() && ready(k)) words[k] = host[k].next();
     }
-    // All decisions come before all moves, and look at registers only.
-    for (const std::size_t stage : active_) fires_[stage] = fires(stage) ? 1 : 0;
-    next_active_.clear();
-    for (const std::size_t stage : active_) step(stage);
-    for (std::size_t k = 0; k < feeders_; ++k) {
-      if (taken[k] != 0) push(k * (n_ + 1), host[k].next());
-    }
-    active_.swap(next_active_);
+    step(words);
     if (progress && busy_cycles % kProgressCycles == 0) {
       progress("load", busy_cycles, host[0].share());
     }
   }
   return busy_cycles;
+}
+
+void LoadArray::step(const std::vector<std::optional<Word>>& words) {
+  // All decisions come before all moves, and look at registers only.
+  for (const std::size_t stage : active_) fires_[stage] = fires(stage) ? 1 : 0;
+  next_active_.clear();
+  for (const std::size_t stage : active_) step_stage(stage);
+  for (std::size_t k = 0; k < feeders_; ++k) {
+    if (words[k]) push(first_stage(k), *words[k]);
+  }
+  active_.swap(next_active_);
 }
 
 bool LoadArray::fires(std::size_t stage) const {
@@ -67,45 +72,24 @@ bool LoadArray::fires(std::size_t stage) const {
   if (own.on() && !is_last(stage) && !stages_[after(stage)].ready()) return false;
   if (!own.here()) return true;
   if (is_feeder(stage)) return stages_[stage + 1].ready();
-  const Cell& cell = cells_[cell_of(stage)];
-  if (own.front().kind == WordKind::end) return !cell.fill.busy();
-  return cell.dexel.ready(own.front(), cell.fill.ready());
+  return cells_[cell_of(stage)].ready(own.front());
 }
 
-void LoadArray::step(std::size_t stage) {
+void LoadArray::step_stage(std::size_t stage) {
   FacetStage& own = stages_[stage];
   const bool fires = fires_[stage] != 0;
   const bool here = own.busy() && own.here();
   // What goes beyond the last unit of a pipe has told everybody.
   if (fires && own.on() && !is_last(stage)) push(after(stage), own.stepped());
   if (!is_feeder(stage)) {
-    step_cell(stage, here);
+    const std::size_t column = cell_of(stage);
+    cells_[column].step(here ? &own.front() : nullptr, fires, columns_, column);
   } else if (fires && here) {
     push(stage + 1, own.front());
   }
   if (fires) own.pop();
-  listed_[stage] = busy(stage) ? 1 : 0;
-  if (busy(stage)) next_active_.push_back(stage);
-}
-
-// The dexel and fill units; a word that is `here` leaves at the end of the cycle if it fires.
-void LoadArray::step_cell(std::size_t stage, bool here) {
-  const std::size_t column = cell_of(stage);
-  Cell& cell = cells_[column];
-  if (!here) {
-    cell.fill.step(nullptr, columns_, column);
-    return;
-  }
-  const Word& word = stages_[stage].front();
-  const bool taken = fires_[stage] != 0;
-  if (word.kind == WordKind::end) {
-    cell.fill.step(nullptr, columns_, column);
-    if (taken) columns_.layers(column).end_object();
-    return;
-  }
-  const Span offered = cell.dexel.offered(word);
-  cell.fill.step(taken && cell.dexel.offers(word) ? &offered : nullptr, columns_, column);
-  cell.dexel.step(word, taken);
+  listed_[stage] = stage_busy(stage) ? 1 : 0;
+  if (stage_busy(stage)) next_active_.push_back(stage);
 }
 
 void LoadArray::push(std::size_t stage, const Word& word) {
@@ -117,16 +101,16 @@ void LoadArray::push(std::size_t stage, const Word& word) {
   }
 }
 
-bool LoadArray::busy(std::size_t stage) const {
-  return stages_[stage].busy() || (!is_feeder(stage) && cells_[cell_of(stage)].fill.busy());
+bool LoadArray::stage_busy(std::size_t stage) const {
+  return stages_[stage].busy() || (!is_feeder(stage) && cells_[cell_of(stage)].filling());
 }
 
 StageView LoadArray::view(std::size_t stage) const {
   const auto y = static_cast<int>(stage / (n_ + 1)), x = static_cast<int>(stage % (n_ + 1)) - 1;
   const int words = stages_[stage].held();
   if (is_feeder(stage)) return {x, y, words, false, false};
-  const Cell& cell = cells_[cell_of(stage)];
-  return {x, y, words, cell.dexel.dividing(), cell.fill.writing()};
+  const CellLoader& cell = cells_[cell_of(stage)];
+  return {x, y, words, cell.dividing(), cell.writing()};
 }
 
 void LoadArray::show(const LoadObserver& observer, std::int64_t cycle) const {

@@ -4,12 +4,12 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
+#include "sw/cycle/cell_loader.h"
 #include "sw/cycle/column.h"
-#include "sw/cycle/dexel.h"
 #include "sw/cycle/facet_stage.h"
-#include "sw/cycle/fill.h"
 #include "sw/machine/machine.h"
 
 namespace rc2::cycle {
@@ -34,15 +34,18 @@ class LoadArray {
   std::int64_t run(const facet::PacketStream& packets, const LoadObserver& observer,
                    const Progress& progress);
 
- private:
-  struct Cell {
-    explicit Cell(int n) : fill(n) {}
-    Dexel dexel;
-    Fill fill;
-  };
+  bool busy() const { return !active_.empty(); }
 
+  /// Whether a feeder takes a word at the end of this cycle.
+  bool ready(std::size_t feeder) const { return stages_[first_stage(feeder)].ready(); }
+
+  /// One cycle. `words` has for each feeder the word that it takes, which must be ready, or none.
+  void step(const std::vector<std::optional<Word>>& words);
+
+ private:
   // Stage y*(n+1) is that of row y in its vertical pipe, the n after it are those of the row's
   // cells.
+  std::size_t first_stage(std::size_t feeder) const { return feeder * (n_ + 1); }
   bool is_feeder(std::size_t stage) const { return stage % (n_ + 1) == 0; }
   std::size_t cell_of(std::size_t stage) const { return stage - stage / (n_ + 1) - 1; }
   std::size_t after(std::size_t stage) const {
@@ -54,17 +57,16 @@ class LoadArray {
   }
 
   bool fires(std::size_t stage) const;
-  void step(std::size_t stage);
-  void step_cell(std::size_t stage, bool here);
+  void step_stage(std::size_t stage);
   void push(std::size_t stage, const Word& word);
-  bool busy(std::size_t stage) const;
+  bool stage_busy(std::size_t stage) const;
   StageView view(std::size_t stage) const;
   void show(const LoadObserver& observer, std::int64_t cycle) const;
 
   std::size_t n_, feeders_;
   Columns& columns_;
   std::vector<FacetStage> stages_;
-  std::vector<Cell> cells_;           // cell y*n + x
+  std::vector<CellLoader> cells_;     // cell y*n + x
   std::vector<std::uint8_t> fires_;   // per stage: its oldest word leaves in this cycle
   std::vector<std::uint8_t> listed_;  // per stage: is in active_ or next_active_
   std::vector<std::size_t> active_, next_active_;

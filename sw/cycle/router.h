@@ -28,6 +28,19 @@ class Router {
     return (slots_[cell] | incoming_[cell] | links_[cell]) != 0 || has_source(cell);
   }
 
+  /// The beam in a full output buffer, and the end of it when the neighbour has taken it.
+  const Beam& on_link(std::size_t cell, unsigned link) const { return buffers_[cell].link[link]; }
+  void release(std::size_t cell, unsigned link) {
+    links_[cell] &= static_cast<std::uint8_t>(~(1U << link));
+  }
+
+  /// Whether an input buffer has room, and what comes into it.
+  bool has_room(std::size_t cell, unsigned slot) const { return (slots_[cell] >> slot & 1U) == 0; }
+  void receive(std::size_t cell, unsigned slot, const Beam& beam) {
+    buffers_[cell].slot[slot] = beam;
+    incoming_[cell] |= static_cast<std::uint8_t>(1U << slot);
+  }
+
   // ---- Phase 1 ---------------------------------------------------------------------------
   /// Moves the beams on the cell's links whose neighbour has room; calls `reached(neighbour)` for
   /// each. Returns whether there was one.
@@ -38,10 +51,9 @@ class Router {
       const unsigned link = first_of(full);
       const std::size_t neighbour = cell + static_cast<std::size_t>(offset_[link]);
       const unsigned slot = opposite(link);
-      if ((slots_[neighbour] >> slot & 1U) != 0) continue;
-      buffers_[neighbour].slot[slot] = buffers_[cell].link[link];
-      incoming_[neighbour] |= static_cast<std::uint8_t>(1U << slot);
-      links_[cell] &= static_cast<std::uint8_t>(~(1U << link));
+      if (!has_room(neighbour, slot)) continue;
+      receive(neighbour, slot, on_link(cell, link));
+      release(cell, link);
       reached(neighbour);
       moved = true;
     }

@@ -5,7 +5,7 @@
 #include <deque>
 #include <vector>
 
-#include "sim/host_word.h"
+#include "sw/machine/host_word.h"
 #include "tb/rtl/block.h"
 
 namespace {

@@ -3,7 +3,7 @@
 #include <array>
 #include <deque>
 
-#include "sim/host_word.h"
+#include "sw/machine/host_word.h"
 #include "tb/rtl/block.h"
 
 namespace {

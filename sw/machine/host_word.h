@@ -43,15 +43,20 @@ struct WordFormat {
   static int home_bits(std::int64_t distance) { return bits_for(24 * distance * distance + 3); }
 };
 
+/// How many leads a word still carries: a row pipe's lacks that of the rows.
+enum class Leads : std::uint8_t { cells = 1, rows_and_cells = 2 };
+
 /// One beat of a packet stream: {kind, lead of the rows, lead of the cells, rest}.
 class HostWord {
  public:
   static constexpr int kLimbs = 8;
+  using Limbs = std::array<std::uint32_t, kLimbs>;
 
-  HostWord(const WordFormat& format, const Word& word) {
-    fill(2 * format.lead + format.rest, WordFormat::kKindBits,
-         static_cast<std::int64_t>(word.kind));
+  HostWord(const WordFormat& format, const Word& word, Leads leads = Leads::rows_and_cells) {
     const int cells = format.rest, rows = format.rest + format.lead;
+    fill(format.rest + static_cast<int>(leads) * format.lead, WordFormat::kKindBits,
+         static_cast<std::int64_t>(word.kind));
+    const bool with_rows = leads == Leads::rows_and_cells;
     if (word.kind == WordKind::head) {
       fill(0, format.coordinate, word.z0);
       fill(format.coordinate, format.coordinate, word.z_span);
@@ -61,8 +66,10 @@ class HostWord {
            static_cast<std::int64_t>(word.layer));
       fill(cells, format.count, word.skip[0]);
       fill(cells + format.count, format.count, word.take[0]);
-      fill(rows, format.count, word.skip[1]);
-      fill(rows + format.count, format.count, word.take[1]);
+      if (with_rows) {
+        fill(rows, format.count, word.skip[1]);
+        fill(rows + format.count, format.count, word.take[1]);
+      }
       return;
     }
     const bool side = word.kind == WordKind::side, gap = word.kind == WordKind::gap;
@@ -72,17 +79,23 @@ class HostWord {
     if (side) fill(format.offset + c_bits, format.push, word.reach);
     if (gap) fill(format.offset + c_bits, kFacingBits, word.facing);
     fill(cells, format.coefficient, word.step[0]);
-    fill(rows, format.coefficient, word.step[1]);
+    if (with_rows) fill(rows, format.coefficient, word.step[1]);
   }
 
   /// The word that asks every cell for what it holds.
-  HostWord(const WordFormat& format, ReadWhat what) : HostWord(format, Word{WordKind::read}) {
-    fill(0, 2, static_cast<std::int64_t>(what));
-  }
+  HostWord(const WordFormat& format, ReadWhat what, Leads leads = Leads::rows_and_cells)
+      : HostWord(format, read_word(what), leads) {}
 
-  const std::array<std::uint32_t, kLimbs>& limbs() const { return limbs_; }
+  const Limbs& limbs() const { return limbs_; }
 
  private:
+  // What a READ asks for lies where other words have d.
+  static Word read_word(ReadWhat what) {
+    Word word{WordKind::read};
+    word.d = static_cast<std::int64_t>(what);
+    return word;
+  }
+
   // Puts the low `width` bits of the value at bit `at`, where there are zeros.
   void fill(int at, int width, std::int64_t value) {
     for (int i = 0; i < width; ++i) {
@@ -91,8 +104,56 @@ class HostWord {
     }
   }
 
-  std::array<std::uint32_t, kLimbs> limbs_{};
+  Limbs limbs_{};
 };
+
+/// The word of a beat; that of a READ holds in d what it asks for (ReadWhat).
+inline Word unpack_word(const WordFormat& format, const HostWord::Limbs& limbs,
+                        Leads leads = Leads::rows_and_cells) {
+  const auto field = [&](int at, int width) {
+    std::int64_t value = 0;
+    for (int i = 0; i < width; ++i) {
+      const auto bit = limbs[static_cast<std::size_t>((at + i) / 32)] >> ((at + i) % 32) & 1U;
+      value |= static_cast<std::int64_t>(bit) << i;
+    }
+    return value;
+  };
+  const auto number = [&](int at, int width) {
+    return static_cast<std::int32_t>(field(at, width));
+  };
+  const auto with_sign = [&](int at, int width) {
+    const std::int64_t value = field(at, width);
+    return value - (value >> (width - 1) << width);
+  };
+  Word word{static_cast<WordKind>(
+      field(format.rest + static_cast<int>(leads) * format.lead, WordFormat::kKindBits))};
+  const auto pipes = static_cast<std::size_t>(leads);
+  if (word.kind == WordKind::head) {
+    word.z0 = number(0, format.coordinate);
+    word.z_span = number(format.coordinate, format.coordinate);
+    word.facet = static_cast<std::uint32_t>(field(2 * format.coordinate, kFacetBits));
+    word.reach = field(2 * format.coordinate + kFacetBits, format.plane);
+    word.layer = static_cast<facet::Layer>(
+        field(2 * format.coordinate + kFacetBits + format.plane, kLayerBits));
+    for (std::size_t pipe = 0; pipe < pipes; ++pipe) {
+      const int lead = format.rest + static_cast<int>(pipe) * format.lead;
+      word.skip[pipe] = number(lead, format.count);
+      word.take[pipe] = number(lead + format.count, format.count);
+    }
+    return word;
+  }
+  const bool side = word.kind == WordKind::side, gap = word.kind == WordKind::gap;
+  const int c_bits = side ? format.side : gap ? format.gap : format.coefficient;
+  word.d = with_sign(0, format.offset);
+  word.c = with_sign(format.offset, c_bits);
+  if (side) word.reach = field(format.offset + c_bits, format.push);
+  if (gap) word.facing = static_cast<std::uint8_t>(field(format.offset + c_bits, kFacingBits));
+  for (std::size_t pipe = 0; pipe < pipes; ++pipe) {
+    word.step[pipe] =
+        with_sign(format.rest + static_cast<int>(pipe) * format.lead, format.coefficient);
+  }
+  return word;
+}
 
 /// One beat of the readback stream.
 struct ReadbackWord {
@@ -100,6 +161,12 @@ struct ReadbackWord {
   int z;
   std::uint32_t value;
 };
+
+inline std::uint64_t pack_readback(const WordFormat& format, const ReadbackWord& word) {
+  return std::uint64_t{word.last_of_cell} << (format.readback_bits() - 1) |
+         std::uint64_t{word.empty} << (format.readback_bits() - 2) |
+         static_cast<std::uint64_t>(word.z) << format.value | word.value;
+}
 
 inline ReadbackWord unpack_readback(const WordFormat& format, std::uint64_t beat) {
   const auto field = [&](int at, int width) { return (beat >> at) & ((1ULL << width) - 1); };

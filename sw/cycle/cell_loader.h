@@ -1,0 +1,32 @@
+// The loading units of a cell, beside its stage of the row's pipe (rtl/rc2_cell.sv).
+#pragma once
+
+#include <cstddef>
+
+#include "sw/cycle/column.h"
+#include "sw/cycle/dexel.h"
+#include "sw/cycle/fill.h"
+
+namespace rc2::cycle {
+
+class CellLoader {
+ public:
+  explicit CellLoader(int n) : fill_(n) {}
+
+  bool dividing() const { return dexel_.dividing(); }
+  bool filling() const { return fill_.busy(); }
+  bool writing() const { return fill_.writing(); }
+
+  /// Whether a word that waits in the stage may leave at the end of this cycle.
+  bool ready(const Word& word) const;
+
+  /// One cycle of the cell with this column. `word` waits in the stage, or is null; it leaves at
+  /// the end if `taken`.
+  void step(const Word* word, bool taken, Columns& columns, std::size_t column);
+
+ private:
+  Dexel dexel_;
+  Fill fill_;
+};
+
+}  // namespace rc2::cycle
