@@ -8,14 +8,13 @@ namespace rc2::tb {
 
 facet::PacketStream dense_packets(facet::Dice& dice, const MachineConfig& config, int most,
                                   glm::ivec2 cell) {
-  Random random(static_cast<unsigned>(dice.bits()));
   const auto count = static_cast<int>(dice.roll(1, most));
   const std::int64_t largest = std::int64_t{1}
                                << (2 * (coordinate_bits(config.n) + config.fraction_bits));
   const std::int64_t scale = dice.one_in(2) ? 4 : largest;
   facet::PacketStream packets =
-      dice.one_in(3) ? random_packets(random, config.n, count, scale, config.fraction_bits)
-                     : random_layers(random, config.n, count, scale, config.fraction_bits);
+      dice.one_in(3) ? random_packets(dice, config.n, count, scale, config.fraction_bits)
+                     : random_layers(dice, config.n, count, scale, config.fraction_bits);
   for (facet::PacketHead& packet : packets.heads) {
     if (dice.one_in(3)) {
       packet.slab.value = {0, 0, 0, 0};
