@@ -32,6 +32,7 @@ rc2::ExitCode run_program(int argc, char** argv) {
   rc2::declare_rounding(program, exit_code);
   rc2::declare_loading(program, exit_code);
   rc2::declare_walk(program, exit_code);
+  rc2::declare_light_error(program, exit_code);
   rc2::declare_network(program, exit_code);
   rc2::declare_thesis(program, exit_code);
   try {

@@ -9,6 +9,7 @@
 
 #include "sw/base/config.h"
 #include "sw/facet/facet.h"
+#include "sw/machine/machine.h"
 
 namespace rc2 {
 
@@ -38,6 +39,7 @@ struct RunOptions : SceneOptions {
   std::int64_t waves_from = 0;
   std::int64_t waves_cycles = 10000;
 
+  LightRule rule_of_light() const { return parse_light_rule(light_rule); }
   int distance() const { return target_distance.value_or(2 * n); }
 };
 

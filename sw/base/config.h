@@ -15,12 +15,13 @@ constexpr int default_feeders(int n) {
 
 /// What a machine was built for. A job may ask for less (fraction bits, L, FA), never for more.
 struct MachineConfig {
-  int n = 16;             ///< cells per side, voxels per column (>= 2)
-  int fraction_bits = 4;  ///< f: vertices are multiples of 2^-f voxel
-  int max_distance = 64;  ///< largest distance L of the virtual faces
-  int max_fa = 32;        ///< deepest beam queue (FA) of a cell
-  int feeders = 1;        ///< row feeders that the host port serves; a power of two <= n
-  bool layers = true;     ///< columns know shown, inside and thin voxels, not only armour
+  int n = 16;                   ///< cells per side, voxels per column (>= 2)
+  int fraction_bits = 4;        ///< f: vertices are multiples of 2^-f voxel
+  int max_distance = 64;        ///< largest distance L of the virtual faces
+  int max_fa = 32;              ///< deepest beam queue (FA) of a cell
+  int feeders = 1;              ///< row feeders that the host port serves; a power of two <= n
+  bool layers = true;           ///< columns know shown, inside and thin voxels, not only armour
+  bool accurate_light = false;  ///< knows LightRule::accurate, which needs the layers
 };
 
 constexpr int kMaxSide = 1024;       ///< largest n the 64-bit host arithmetic is proven for

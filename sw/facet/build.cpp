@@ -106,7 +106,9 @@ class Builder {
     const auto number = static_cast<std::uint32_t>(set_.facets.size());
     const bool has_voxels = append_packet(border, normal, number, grid_, set_.packets);
     if (has_voxels)
-      set_.facets.push_back({glm::normalize(glm::dvec3(normal)), scene_.material[polygon]});
+      set_.facets.push_back({glm::normalize(glm::dvec3(normal)),
+                             scene_.material[polygon],
+                             {normal, dot(normal, border.front())}});
     else
       ++set_.counts.outside;
     if (traced_ != nullptr)
