@@ -11,7 +11,8 @@ namespace {
 
 constexpr double kCube = 4;      // side, voxels
 constexpr double kLayers = 2.5;  // of a cube's section each
-constexpr double kSamplesPerVoxelFace = 4;
+constexpr double kSamplesPerSection = 8;
+constexpr double kMostSamples = 1024;  // of a large facet, which cannot fill one cube
 
 // Roberts's sequence R2: evenly spread whatever the number of points.
 constexpr double kStepU = 0.7548776662466927, kStepV = 0.5698402909980532;
@@ -28,7 +29,7 @@ void for_each_sample(const Border& border, std::int64_t one, Visit visit) {
     const glm::dvec3 a = glm::dvec3(border[0]) * unit, u = glm::dvec3(border[k]) * unit - a,
                      v = glm::dvec3(border[k + 1]) * unit - a;
     const double area = 0.5 * glm::length(glm::cross(u, v));
-    const double count = std::max(1.0, std::ceil(area * kCube * kCube * kSamplesPerVoxelFace));
+    const double count = std::clamp(std::ceil(area * kSamplesPerSection), 1.0, kMostSamples);
     for (double i = 0; i < count; ++i) {
       double s = std::fmod(0.5 + i * kStepU, 1.0), t = std::fmod(0.5 + i * kStepV, 1.0);
       if (s + t > 1) {
