@@ -8,6 +8,7 @@
 ##   thesis    the tables and snapshots of the thesis's own simulations, beside the printed ones
 ##   chapter2  the lines, tunnels and Boolean networks of thesis chapter 2, as the docs show them
 ##   bench-load  loading: cycles of real scenes, leaks, rounded coefficients, as the docs show them
+##   bench-light  light: what differs from the continuous scene, by rule, as the docs show it
 ##   test      every test; the last line is their summary
 ##   lint      verilator -Wall, yosys on every module alone, clang-format, clang-tidy
 ##   sanitize  the software's tests with address and undefined-behaviour sanitizers
@@ -73,7 +74,7 @@ cmake_build := cmake --build build -j $(jobs) --target
 test_sizes := 4 5 8 16
 known_sizes := $(test_sizes) 32
 
-.PHONY: help setup build sim thesis chapter2 bench-load test lint sanitize rtl format clean
+.PHONY: help setup build sim thesis chapter2 bench-load bench-light test lint sanitize rtl format clean
 .NOTPARALLEL:
 
 help:
@@ -109,6 +110,9 @@ chapter2: build
 
 bench-load: build
 	@scripts/bench-load '$(OUT)/bench-load'
+
+bench-light: build
+	@scripts/bench-light '$(OUT)/bench-light'
 
 test: build/build.ninja
 	$(cmake_build) all $(test_sizes:%=rtl_n%)

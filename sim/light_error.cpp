@@ -11,6 +11,7 @@
 #include <memory>
 
 #include "sim/commands.h"
+#include "sim/light_compare.h"
 #include "sim/light_scenes.h"
 #include "sim/memory.h"
 #include "sim/outputs.h"
@@ -26,11 +27,9 @@
 namespace rc2 {
 namespace {
 
-using truth::Verdict;
-
 constexpr double kDensity = 32;  // samples per unit of area
 
-// Shares of n: round the scene, some near the walls of a room.
+// Shares of n: all round a scene, near the walls of a room.
 const std::array<glm::dvec3, 6> kLights{{{0.90, 0.95, 0.85},
                                          {0.06, 0.55, 0.62},
                                          {0.52, 0.48, 0.96},
@@ -47,39 +46,6 @@ struct LightErrorOptions {
   std::string out;
 };
 
-// A set of shown voxels and what the machine and the truth say of each.
-enum class Population { facing, exposed, seen };
-constexpr std::array kPopulations{Population::facing, Population::exposed, Population::seen};
-
-const char* to_string(Population population) {
-  switch (population) {
-    case Population::facing:
-      return "facing";
-    case Population::exposed:
-      return "exposed";
-    case Population::seen:
-      return "seen";
-  }
-  return "unknown";
-}
-
-struct Errors {
-  std::int64_t voxels = 0;
-  std::int64_t dark = 0, lit = 0;                    ///< false dark, false lit
-  std::int64_t dark_tolerant = 0, lit_tolerant = 0;  ///< no neighbour's truth excuses them
-
-  void add(const Errors& other) {
-    voxels += other.voxels;
-    dark += other.dark;
-    lit += other.lit;
-    dark_tolerant += other.dark_tolerant;
-    lit_tolerant += other.lit_tolerant;
-  }
-  double percent(std::int64_t count) const {
-    return voxels == 0 ? 0 : 100.0 * static_cast<double>(count) / static_cast<double>(voxels);
-  }
-};
-
 struct Row {
   std::string scene;
   int n, reach;
@@ -88,84 +54,6 @@ struct Row {
   std::int64_t visits;
   std::array<Errors, kPopulations.size()> errors;
 };
-
-// The voxels that are shown, and where each is in a dense cube.
-class Shown {
- public:
-  Shown(const LayerMemory& layers, const VoxelMemory& voxels, int n)
-      : n_(n), index_(static_cast<std::size_t>(n) * n * n, kNone) {
-    std::size_t number = 0;
-    for (const LayerRecord& layer : layers) {
-      if (layer.shown && layer.armour) {
-        index_[place(layer.at)] = static_cast<std::uint32_t>(at_.size());
-        at_.push_back(layer.at);
-        owners_.push_back(voxels[number].owner.facet);
-        numbers_.push_back(number);
-      }
-      number += layer.armour ? 1 : 0;
-    }
-  }
-
-  std::size_t count() const { return at_.size(); }
-  const std::vector<glm::ivec3>& places() const { return at_; }
-  std::uint32_t owner(std::size_t i) const { return owners_[i]; }
-  std::size_t number(std::size_t i) const { return numbers_[i]; }
-
-  /// Calls visit with the indices of the up to 26 neighbours.
-  template <class Visit>
-  void for_each_neighbour(std::size_t i, Visit visit) const {
-    const glm::ivec3 lo = glm::max(at_[i] - 1, 0), hi = glm::min(at_[i] + 1, n_ - 1);
-    for (glm::ivec3 at = lo; at.z <= hi.z; ++at.z)
-      for (at.y = lo.y; at.y <= hi.y; ++at.y)
-        for (at.x = lo.x; at.x <= hi.x; ++at.x) {
-          const std::uint32_t other = index_[place(at)];
-          if (other != kNone && other != i) visit(other);
-        }
-  }
-
- private:
-  static constexpr std::uint32_t kNone = ~0U;
-
-  std::size_t place(const glm::ivec3& at) const {
-    return (static_cast<std::size_t>(at.z) * n_ + at.y) * n_ + at.x;
-  }
-
-  int n_;
-  std::vector<std::uint32_t> index_;
-  std::vector<glm::ivec3> at_;
-  std::vector<std::uint32_t> owners_;
-  std::vector<std::size_t> numbers_;
-};
-
-bool belongs(const Verdict& verdict, Population population) {
-  if (population == Population::exposed) return verdict.exposed;
-  return verdict.faces_light && (population == Population::facing || verdict.seen);
-}
-
-bool truly_lit(const Verdict& verdict, Population population) {
-  return population == Population::exposed ? verdict.lit : verdict.facing_are_lit;
-}
-
-Errors compare(const Shown& shown, const std::vector<Verdict>& verdicts, Population population,
-               const LightMemory& arrived, const std::vector<bool>& away) {
-  Errors errors;
-  for (std::size_t i = 0; i < shown.count(); ++i) {
-    if (!belongs(verdicts[i], population)) continue;
-    ++errors.voxels;
-    // A picture shades what turns away black, whatever arrives there.
-    const bool lit = arrived[shown.number(i)] > 0 &&
-                     (population != Population::exposed || !away[shown.owner(i)]);
-    if (lit == truly_lit(verdicts[i], population)) continue;
-    bool excused = false;
-    shown.for_each_neighbour(i, [&](std::uint32_t other) {
-      excused |=
-          belongs(verdicts[other], population) && truly_lit(verdicts[other], population) == lit;
-    });
-    (lit ? errors.lit : errors.dark) += 1;
-    (lit ? errors.lit_tolerant : errors.dark_tolerant) += excused ? 0 : 1;
-  }
-  return errors;
-}
 
 // The voxel nearest to the place that is neither armoured nor inside a solid.
 glm::ivec3 free_voxel(const LayerMemory& layers, int n, const glm::dvec3& share) {
@@ -212,7 +100,8 @@ void measure(const std::string& name, int n, const LightErrorOptions& options, P
   const truth::Samples samples(surface, n, kDensity);
   for (const glm::dvec3& share : kLights) {
     const glm::ivec3 light = free_voxel(layers, n, share);
-    const std::vector<Verdict> verdicts = truth::judge(surface, samples, shown.places(), light);
+    const std::vector<truth::Verdict> verdicts =
+        truth::judge(surface, samples, shown.places(), light);
     const std::vector<bool> blocking =
         facet::find_blocking(facets.facets, light, options.fraction_bits);
     std::vector<bool> away;
@@ -228,7 +117,7 @@ void measure(const std::string& name, int n, const LightErrorOptions& options, P
         report::check_light(result, arrived, job, machine.read_voxels().size());
         Row row{title, n, reach, rule, light, result.visits, {}};
         for (std::size_t i = 0; i < kPopulations.size(); ++i)
-          row.errors[i] = compare(shown, verdicts, kPopulations[i], arrived, away);
+          row.errors[i] = shown.compare(verdicts, kPopulations[i], arrived, away);
         rows.push_back(row);
       }
     }

@@ -7,8 +7,8 @@
 
 namespace rc2 {
 
-/// A file that Assimp reads, so placed that its longest side is 0.7 n in the middle of the n-cube; a
-/// generated scene (scene::generate); or one of these, the same for every n but for its scale:
+/// A file that Assimp reads, so placed that its longest side is 0.7 n in the middle of the n-cube;
+/// a generated scene (scene::generate); or one of these, the same for every n but for its scale:
 ///  - sphere        20480 triangles, radius 0.3 n
 ///  - boxes, tori   eight, turned
 ///  - plates:T      eight boxes, T voxels thick, turned
