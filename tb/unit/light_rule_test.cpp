@@ -2,6 +2,7 @@
 // lit is known.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <boost/rational.hpp>
 #include <cmath>
 #include <glm/common.hpp>
@@ -131,8 +132,8 @@ TEST(AccurateLight, IsWhatItsDefinitionSays) {
     const facet::PacketStream stream = random_layers(random, n, count, 3);
     GoldenMachine machine(config_of(n));
     machine.load(stream, {});
-    std::vector<bool> blocking;
-    for (int i = 0; i < count; ++i) blocking.push_back(pick(random, 0, 2) == 0);
+    std::vector<bool> blocking(static_cast<std::size_t>(count));
+    std::generate(blocking.begin(), blocking.end(), [&] { return pick(random, 0, 2) == 0; });
     const Definition definition(machine, stream, blocking);
     glm::ivec3 source = pick_voxel(random, n);
     for (int tries = 0; tries < 100 && definition.is_armoured(source); ++tries)
