@@ -30,7 +30,7 @@ struct Plane {
 struct FacetInfo {
   glm::vec3 normal;  ///< outward, of unit length
   std::uint32_t material;
-  Plane plane;
+  Plane plane{};
   bool is_crowded = false;  ///< too much surface around it to tell one side from the other
 };
 
