@@ -181,7 +181,7 @@ TEST(Truth, ASphereIsLitUpToThePolarOfTheLight) {
       if (std::abs(above) < 1) continue;
       EXPECT_EQ(verdicts[i].lit, above > 0);
       EXPECT_EQ(verdicts[i].faces_light, above > 0);
-      if (above > 0) EXPECT_TRUE(verdicts[i].facing_are_lit);
+      EXPECT_EQ(verdicts[i].facing_are_lit, above > 0);
       lit += above > 0;
     }
     EXPECT_GT(lit, 100);
