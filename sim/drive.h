@@ -18,11 +18,13 @@ class Drive {
   Drive(Machine& machine, std::string name, ProgressBar& bar)
       : machine_(machine), name_(std::move(name)), bar_(bar) {}
 
-  /// Throws std::logic_error if the voxels break a law of sw/report/laws.h.
+  /// The facets must outlive the drive. Throws std::logic_error if the voxels break a law of
+  /// sw/report/laws.h.
   void load(const facet::FacetSet& facets);
 
   /// One result per lamp. Throws std::logic_error if conservation is broken.
-  std::vector<LightResult> light(const std::vector<Lamp>& lamps, int target_distance, int fa);
+  std::vector<LightResult> light(const std::vector<Lamp>& lamps, int target_distance, int fa,
+                                 LightRule rule);
 
   std::int64_t load_cycles() const { return load_.cycles; }
 
@@ -33,6 +35,7 @@ class Drive {
   Machine& machine_;
   std::string name_;
   ProgressBar& bar_;
+  const std::vector<facet::FacetInfo>* facets_ = nullptr;
   LoadResult load_;
   report::Memories memories_;
 };

@@ -76,8 +76,11 @@ void declare_run_options(CLI::App& command, RunOptions& options) {
                   "x,y,z[,r,g,b]: a light at a voxel, colour 1,1,1 if not given; may be repeated "
                   "(default: the scene's lights; one in the upper front left if it has none)")
       ->allow_extra_args(false);
-  command.add_option("--light-rule", options.light_rule, "Which voxels light reaches")
-      ->check(CLI::IsMember({"thesis"}))
+  command
+      .add_option("--light-rule", options.light_rule,
+                  "Where light ends; thesis: in every occupied voxel; accurate: where facets turn "
+                  "away from it, and inside solids")
+      ->check(CLI::IsMember({"thesis", "accurate"}))
       ->capture_default_str();
   command.add_option("--target-distance", options.target_distance,
                      "Distance L of the virtual faces that light aims at, in voxels (default 2n)");
@@ -121,6 +124,11 @@ void check_options(RunOptions& options) {
   constexpr std::int64_t kLongest = 1'000'000'000'000;
   check_range<std::int64_t>("--waves-from", options.waves_from, 0, kLongest);
   check_range<std::int64_t>("--waves-cycles", options.waves_cycles, 1, kLongest);
+  if (options.rule_of_light() == LightRule::accurate && options.machine != "golden") {
+    throw Error(fmt::format(
+        "--light-rule accurate: the {} machine knows the thesis's rule only; use --machine golden",
+        options.machine));
+  }
   if (!options.waves.empty() && options.machine != "rtl") {
     throw Error(fmt::format("--waves {}: the {} model has no signals to show; use --machine rtl",
                             options.waves, options.machine));

@@ -9,6 +9,7 @@
 
 #include "sw/base/config.h"
 #include "sw/facet/facet.h"
+#include "sw/machine/machine.h"
 
 namespace rc2 {
 
@@ -42,6 +43,7 @@ struct RunOptions : SceneOptions {
   LightMode light_mode() const {
     return mode == "thesis" ? LightMode::thesis : LightMode::fast;
   }
+  LightRule rule_of_light() const { return parse_light_rule(light_rule); }
   int distance() const { return target_distance.value_or(2 * n); }
 
   /// What a machine must have been built for.

@@ -57,7 +57,8 @@ report::Memories run_machine(const RunOptions& options, const Job& job, Lamps& l
   drive.load(job.facets);
   place_lamps(lamps, drive.memories().voxels, options.n);
   watch.lap("load");
-  const auto results = drive.light(lamps.list, options.distance(), options.fa);
+  const auto results =
+      drive.light(lamps.list, options.distance(), options.fa, options.rule_of_light());
   watch.lap("light");
 
   report.load.cycles = drive.load_cycles();
@@ -83,7 +84,7 @@ report::Comparison compare_with_reference(const RunOptions& options, const Job& 
   const bool free = std::none_of(lamps.list.begin(), lamps.list.end(), [&](const Lamp& lamp) {
     return find_voxel(drive.memories().voxels, lamp.voxel) != nullptr;
   });
-  if (free) drive.light(lamps.list, options.distance(), options.fa);
+  if (free) drive.light(lamps.list, options.distance(), options.fa, options.rule_of_light());
   return report::compare(drive.memories(), memories);
 }
 
@@ -100,7 +101,7 @@ void note_waves(const RunOptions& options, report::Report& report) {
 ExitCode run(RunOptions options) {
   check_options(options);
   Stopwatch watch;
-  const Job job = prepare(options);
+  const Job job = prepare(options, options.rule_of_light() == LightRule::accurate);
   Lamps lamps = choose_lamps(options.lights, job.scene, options.n);
   watch.lap("scene");
   Outputs outputs;

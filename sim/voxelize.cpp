@@ -39,9 +39,12 @@ void print_layers(const facet::FacetSet& facets, const LayerMemory& voxels) {
   print("thin", facet::Layer::thin, &LayerRecord::thin);
   fmt::print(
       "solids                 {}\n"
+      "of them, holes capped  {}\n"
       "rooms, nothing inside  {}\n"
-      "open, nothing inside   {}\n",
-      facets.counts.objects_closed, facets.counts.rooms, facets.counts.objects_open);
+      "open, nothing inside   {}\n"
+      "crowded facets         {}\n",
+      facets.counts.objects_closed, facets.counts.objects_capped, facets.counts.rooms,
+      facets.counts.objects_open, facets.counts.crowded);
 }
 
 ExitCode voxelize(VoxelizeOptions options) {

@@ -35,7 +35,7 @@ int render(RunOptions& options) {
     Drive drive(seen, options.machine, bar);
     drive.load(job.facets);
     place_lamps(lamps, drive.memories().voxels, options.n);
-    drive.light(lamps.list, options.distance(), options.fa);
+    drive.light(lamps.list, options.distance(), options.fa, options.rule_of_light());
     memories = drive.memories();
   };
   tlm::Target target("rc2", *machine, period);

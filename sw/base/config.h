@@ -37,6 +37,7 @@ struct MachineConfig {
   bool layers = true;     ///< columns know shown, inside and thin voxels, not only armour
   LightMode mode = LightMode::fast;
   bool counts = true;  ///< read_light() says how many targets arrived, not only if any did
+  bool accurate_light = false;  ///< knows LightRule::accurate, which needs the layers
 };
 
 constexpr int kMaxSide = 1024;       ///< largest n the 64-bit host arithmetic is proven for

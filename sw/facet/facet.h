@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sw/facet/packet.h"
+#include "sw/facet/polygon.h"
 #include "sw/scene/scene.h"
 
 namespace rc2::facet {
@@ -19,10 +20,18 @@ enum class Rule { armoured, naive, supercover, half, blindee };
 Rule parse_rule(const std::string& word);
 const char* to_string(Rule rule);
 
-/// What the picture needs to know of a facet: its outward unit normal and its material.
+/// The points p, in vertex units, with normal . p = level. Exact.
+struct Plane {
+  Vertex normal{0};
+  std::int64_t level = 0;
+};
+
+/// What the host remembers of a facet.
 struct FacetInfo {
-  glm::vec3 normal;
+  glm::vec3 normal;  ///< outward, of unit length
   std::uint32_t material;
+  Plane plane{};
+  bool is_crowded = false;  ///< too much surface around it to tell one side from the other
 };
 
 /// What became of the scene's polygons.
@@ -35,6 +44,8 @@ struct FacetCounts {
 
   // Of build_layers only.
   std::int64_t objects_closed = 0;  ///< solids, with their cavities: voxels inside are known
+  std::int64_t objects_capped = 0;  ///< of the solids, those with holes that were closed
+  std::int64_t crowded = 0;         ///< facets that are crowded (FacetInfo)
   std::int64_t objects_open = 0;    ///< surfaces that are not closed: nothing inside
   std::int64_t rooms = 0;           ///< closed surfaces that face inwards, round others: likewise
 };

@@ -1,7 +1,10 @@
 #include "sw/facet/layers.h"
 
+#include "sw/base/config.h"
 #include "sw/facet/above.h"
 #include "sw/facet/bounds.h"
+#include "sw/facet/caps.h"
+#include "sw/facet/crowds.h"
 #include "sw/facet/objects.h"
 #include "sw/facet/opposed.h"
 #include "sw/facet/traced.h"
@@ -18,14 +21,35 @@ class LayerBuilder {
 
   FacetSet build() {
     end_batch(false);
+    Shells shells = find_shells(traced_);
+    set_.counts.objects_capped = cap_holes(traced_, shells);
+    mark_crowded(shells);
     const std::vector<std::uint32_t> opposed = find_opposed(packets_.heads);
     add_shown();
-    add_thin(opposed);
-    add_inside();
+    for (const std::uint32_t i : opposed) add_thin(packets_.heads[i]);
+    add_sheets(shells.open);
+    end_batch(false);
+    add_inside(find_objects(traced_, shells.closed));
+    set_.counts.objects_open = static_cast<std::int64_t>(shells.open.size());
     return std::move(set_);
   }
 
  private:
+  // Crowded facets face no way, so that nothing about them is thin.
+  void mark_crowded(const Shells& shells) {
+    std::vector<const Pieces*> all;
+    for (const Pieces& shell : shells.closed) all.push_back(&shell);
+    for (const OpenShell& shell : shells.open) all.push_back(&shell.pieces);
+    const std::vector<bool> is_crowded = find_crowded(traced_, all, one_);
+    for (std::size_t i = 0; i < is_crowded.size(); ++i) {
+      if (!is_crowded[i] || !traced_.pieces[i].facet) continue;
+      const std::uint32_t facet = *traced_.pieces[i].facet;
+      set_.facets[facet].is_crowded = true;
+      packets_.heads[facet].facing = kOppositeFacings / 2;
+      ++set_.counts.crowded;
+    }
+  }
+
   void add_shown() {
     packets_.heads.reserve(2 * packets_.heads.size());
     packets_.sides.reserve(2 * packets_.sides.size());
@@ -38,17 +62,25 @@ class LayerBuilder {
     end_batch(false);
   }
 
-  void add_thin(const std::vector<std::uint32_t>& opposed) {
-    for (const std::uint32_t i : opposed) {
-      PacketHead head = packets_.heads[i];
-      head.layer = Layer::thin;
-      packets_.heads.push_back(head);
-    }
-    end_batch(false);
+  void add_thin(PacketHead head) {
+    head.layer = Layer::thin;
+    packets_.heads.push_back(head);
   }
 
-  void add_inside() {
-    const Objects objects = find_objects(traced_);
+  // A sheet is thin everywhere: as if each facet had another one at its back.
+  void add_sheets(const std::vector<OpenShell>& shells) {
+    for (const OpenShell& shell : shells) {
+      for (const std::uint32_t i : shell.pieces) {
+        const std::optional<std::uint32_t> facet = traced_.pieces[i].facet;
+        if (!facet || set_.facets[*facet].is_crowded) continue;
+        PacketHead back = packets_.heads[*facet];
+        back.facing = static_cast<std::uint8_t>(kOppositeFacings - back.facing);
+        add_thin(back);
+      }
+    }
+  }
+
+  void add_inside(const Objects& objects) {
     auto nameless = static_cast<std::uint32_t>(set_.facets.size());
     for (const Pieces& solid : objects.solids) {
       for (const std::uint32_t i : solid) {
@@ -60,7 +92,6 @@ class LayerBuilder {
     }
     set_.counts.objects_closed = static_cast<std::int64_t>(objects.solids.size());
     set_.counts.rooms = objects.rooms;
-    set_.counts.objects_open = objects.open;
   }
 
   void end_batch(bool ends_object) {

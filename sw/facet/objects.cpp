@@ -139,11 +139,8 @@ class Nesting {
 
 }  // namespace
 
-Objects find_objects(const Traced& traced) {
-  const Shells shells = find_shells(traced);
-  Objects objects = Nesting(traced, shells.closed).objects();
-  objects.open = shells.open;
-  return objects;
+Objects find_objects(const Traced& traced, const std::vector<Pieces>& closed) {
+  return Nesting(traced, closed).objects();
 }
 
 }  // namespace rc2::facet

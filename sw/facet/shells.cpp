@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <boost/pending/disjoint_sets.hpp>
+#include <cstdlib>
 #include <utility>
 
 namespace rc2::facet {
@@ -14,7 +15,7 @@ struct Use {
   int way;
 };
 
-// Corners at the same place have the same number.
+// Corners at the same place have the same number, which is that of one of them.
 std::vector<std::uint32_t> number_vertices(const std::vector<Vertex>& corners) {
   std::vector<std::pair<std::uint64_t, std::uint32_t>> places;
   places.reserve(corners.size());
@@ -25,10 +26,9 @@ std::vector<std::uint32_t> number_vertices(const std::vector<Vertex>& corners) {
   }
   std::sort(places.begin(), places.end());
   std::vector<std::uint32_t> numbers(corners.size());
-  std::uint32_t number = 0;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    if (i > 0 && places[i].first != places[i - 1].first) ++number;
-    numbers[places[i].second] = number;
+    const bool is_new = i == 0 || places[i].first != places[i - 1].first;
+    numbers[places[i].second] = is_new ? places[i].second : numbers[places[i - 1].second];
   }
   return numbers;
 }
@@ -60,6 +60,26 @@ class Joiner {
   std::uint32_t shell(std::uint32_t polygon) { return sets_.find_set(polygon); }
   bool is_open(std::uint32_t polygon) { return open_[shell(polygon)]; }
 
+  /// Calls visit(shell, side, balance) for every side that a shell uses more often in one direction
+  /// than in the other.
+  template <class Visit>
+  void for_each_imbalance(const Visit& visit) {
+    std::vector<std::pair<std::uint32_t, int>> ways;  // of a side: shell and way
+    for_each_side([&](const Use* first, const Use* last) {
+      ways.clear();
+      for (const Use* use = first; use != last; ++use)
+        ways.emplace_back(shell(use->polygon), use->way);
+      std::sort(ways.begin(), ways.end());
+      int balance = 0;
+      for (std::size_t i = 0; i < ways.size(); ++i) {
+        balance += ways[i].second;
+        if (i + 1 < ways.size() && ways[i + 1].first == ways[i].first) continue;
+        if (balance != 0) visit(ways[i].first, first->side, balance);
+        balance = 0;
+      }
+    });
+  }
+
  private:
   void collect_sides(const Traced& traced) {
     const std::vector<std::uint32_t> numbers = number_vertices(traced.corners);
@@ -79,20 +99,7 @@ class Joiner {
 
   void find_open() {
     std::fill(open_.begin(), open_.end(), false);
-    std::vector<std::pair<std::uint32_t, int>> ways;  // of a side: shell and way
-    for_each_side([&](const Use* first, const Use* last) {
-      ways.clear();
-      for (const Use* use = first; use != last; ++use)
-        ways.emplace_back(shell(use->polygon), use->way);
-      std::sort(ways.begin(), ways.end());
-      int balance = 0;
-      for (std::size_t i = 0; i < ways.size(); ++i) {
-        balance += ways[i].second;
-        if (i + 1 < ways.size() && ways[i + 1].first == ways[i].first) continue;
-        if (balance != 0) open_[ways[i].first] = true;
-        balance = 0;
-      }
-    });
+    for_each_imbalance([&](std::uint32_t shell, std::uint64_t, int) { open_[shell] = true; });
   }
 
   template <class Visit>
@@ -118,19 +125,26 @@ Shells find_shells(const Traced& traced) {
   constexpr std::uint32_t kNone = ~0U;
   std::vector<std::uint32_t> place(traced.polygon_count(), kNone);  // indexed by shell
   Shells shells;
+  const auto place_in = [&](auto& kind, std::uint32_t shell) -> auto& {
+    if (place[shell] == kNone) {
+      place[shell] = static_cast<std::uint32_t>(kind.size());
+      kind.emplace_back();
+    }
+    return kind[place[shell]];
+  };
   for (std::size_t i = 0; i < traced.pieces.size(); ++i) {
     const std::uint32_t polygon = traced.pieces[i].polygon, shell = joiner.shell(polygon);
-    const bool is_new = place[shell] == kNone;
-    if (joiner.is_open(polygon)) {
-      if (is_new) place[shell] = static_cast<std::uint32_t>(shells.open++);
-      continue;
-    }
-    if (is_new) {
-      place[shell] = static_cast<std::uint32_t>(shells.closed.size());
-      shells.closed.emplace_back();
-    }
-    shells.closed[place[shell]].push_back(static_cast<std::uint32_t>(i));
+    Pieces& pieces = joiner.is_open(polygon) ? place_in(shells.open, shell).pieces
+                                             : place_in(shells.closed, shell);
+    pieces.push_back(static_cast<std::uint32_t>(i));
   }
+  joiner.for_each_imbalance([&](std::uint32_t shell, std::uint64_t side, int balance) {
+    if (place[shell] == kNone) return;  // no polygon of it has an area
+    const Vertex &low = traced.corners[side >> 32], &high = traced.corners[side & 0xFFFFFFFF];
+    const auto use = balance > 0 ? std::pair(low, high) : std::pair(high, low);
+    std::vector<std::pair<Vertex, Vertex>>& rim = shells.open[place[shell]].rim;
+    rim.insert(rim.end(), static_cast<std::size_t>(std::abs(balance)), use);
+  });
   return shells;
 }
 

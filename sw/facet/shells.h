@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "sw/facet/traced.h"
@@ -11,9 +12,16 @@ namespace rc2::facet {
 /// Pieces of a Traced, by their index.
 using Pieces = std::vector<std::uint32_t>;
 
+struct OpenShell {
+  Pieces pieces;
+  /// Sides, from corner to corner as their polygon goes, once for each use in one direction that no
+  /// use in the other makes up for.
+  std::vector<std::pair<Vertex, Vertex>> rim;
+};
+
 struct Shells {
   std::vector<Pieces> closed;
-  std::int64_t open = 0;  ///< the others, counted
+  std::vector<OpenShell> open;
 };
 
 /// Joins polygons that share a side, its ends being rounded vertices. A shell is closed if every

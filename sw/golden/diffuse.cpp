@@ -15,57 +15,74 @@ struct Faces {
 // The narrowing gives each target on an edge of the big cube to exactly one face.
 constexpr Faces kFaces[] = {{0, 1, 2, 0, 0}, {1, 0, 2, 1, 0}, {2, 0, 1, 1, 1}};
 
-// Where a ray ended and how many voxels it went.
-struct End {
-  std::ptrdiff_t place;
-  std::int64_t steps;
-};
+class Diffuser {
+ public:
+  Diffuser(const Grid& grid, const VoxelMemory& voxels, const Field& field, LightMemory& arrived)
+      : grid_(grid), voxels_(voxels), field_(field), arrived_(arrived) {}
 
-End follow_ray(const Grid& grid, std::ptrdiff_t start, int distance, const Faces& faces, int side,
-               int u, int v) {
-  lines::DigitalLine u_line(u, distance);
-  lines::DigitalLine v_line(v, distance);
-  End end{start, 0};
-  do {
-    end.place += side * grid.stride(faces.axis) + u_line.advance() * grid.stride(faces.u) +
-                 v_line.advance() * grid.stride(faces.v);
-    ++end.steps;
-  } while (grid[end.place] == Grid::kFree);
-  return end;
-}
+  void follow_ray(std::ptrdiff_t start, int distance, const Faces& faces, int side, int u, int v) {
+    lines::DigitalLine u_line(u, distance);
+    lines::DigitalLine v_line(v, distance);
+    std::ptrdiff_t place = start;
+    Passage passage;
+    for (Matter matter = Matter::free;;) {
+      glm::ivec3 step;
+      step[faces.axis] = side;
+      step[faces.u] = u_line.advance();
+      step[faces.v] = v_line.advance();
+      if (matter >= Matter::front) passage.leave(matter, to_light(place), step);
+      place += step.x * grid_.stride(0) + step.y * grid_.stride(1) + step.z * grid_.stride(2);
+      matter = field_.matter[static_cast<std::size_t>(place)];
+      if (matter == Matter::outside) {
+        ++result_.targets.escaped;
+        return;
+      }
+      ++result_.visits;
+      if (matter >= Matter::stop) ++arrived_[grid_[place]];
+      if (passage.ends_in(matter)) {
+        ++result_.targets.absorbed;
+        return;
+      }
+    }
+  }
+
+  Diffusion& result() { return result_; }
+
+ private:
+  const glm::ivec3& to_light(std::ptrdiff_t place) const {
+    return field_.to_light[voxels_[grid_[place]].owner.facet];
+  }
+
+  const Grid& grid_;
+  const VoxelMemory& voxels_;
+  const Field& field_;
+  LightMemory& arrived_;
+  Diffusion result_;
+};
 
 }  // namespace
 
-Diffusion diffuse(const Grid& grid, glm::ivec3 source, int distance, LightMemory& arrived,
-                  const Progress& progress) {
-  Diffusion result;
-  result.targets.total = total_targets(distance);
+Diffusion diffuse(const Grid& grid, const VoxelMemory& voxels, const Field& field,
+                  glm::ivec3 source, int distance, LightMemory& arrived, const Progress& progress) {
+  Diffuser diffuser(grid, voxels, field, arrived);
+  TargetCount& targets = diffuser.result().targets;
+  targets.total = total_targets(distance);
   const std::ptrdiff_t start = grid.index(source);
   for (const Faces& faces : kFaces) {
     const int u_end = distance - faces.narrow_u;
     const int v_end = distance - faces.narrow_v;
     for (const int side : {-1, 1}) {
       for (int v = -v_end; v <= v_end; ++v) {
-        for (int u = -u_end; u <= u_end; ++u) {
-          const End end = follow_ray(grid, start, distance, faces, side, u, v);
-          if (grid[end.place] == Grid::kOutside) {
-            ++result.targets.escaped;
-            result.visits += end.steps - 1;
-          } else {
-            ++result.targets.absorbed;
-            result.visits += end.steps;
-            ++arrived[grid[end.place]];
-          }
-        }
+        for (int u = -u_end; u <= u_end; ++u)
+          diffuser.follow_ray(start, distance, faces, side, u, v);
         if (progress) {
-          const std::int64_t done = result.targets.absorbed + result.targets.escaped;
-          progress("light", 0,
-                   static_cast<double>(done) / static_cast<double>(result.targets.total));
+          const std::int64_t done = targets.absorbed + targets.escaped;
+          progress("light", 0, static_cast<double>(done) / static_cast<double>(targets.total));
         }
       }
     }
   }
-  return result;
+  return diffuser.result();
 }
 
 }  // namespace rc2::golden

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sw/golden/grid.h"
+#include "sw/golden/matter.h"
 #include "sw/machine/machine.h"
 
 namespace rc2::golden {
@@ -11,9 +12,10 @@ struct Diffusion {
 };
 
 /// Sends one digital ray from the source to every target of the six faces at `distance`, and on
-/// beyond it, until the ray meets an occupied voxel or leaves the cube (thesis 4.3).
-/// `grid` holds the number of each occupied voxel; arrived[number] counts the rays that end there.
-Diffusion diffuse(const Grid& grid, glm::ivec3 source, int distance, LightMemory& arrived,
-                  const Progress& progress);
+/// beyond it, until a voxel ends the ray or it leaves the cube (thesis 4.3). `grid` holds the
+/// number of each voxel in `voxels`, `field` is what the voxels are to this light; arrived[number]
+/// counts the rays that come there.
+Diffusion diffuse(const Grid& grid, const VoxelMemory& voxels, const Field& field,
+                  glm::ivec3 source, int distance, LightMemory& arrived, const Progress& progress);
 
 }  // namespace rc2::golden

@@ -7,7 +7,9 @@
 namespace rc2::golden {
 
 GoldenMachine::GoldenMachine(const MachineConfig& config)
-    : config_(checked(config)), grid_(config.n), layers_(config.n) {}
+    : config_(checked(config)), grid_(config.n), layers_(config.n) {
+  config_.accurate_light = true;
+}
 
 LoadResult GoldenMachine::load(const facet::PacketStream& packets, const Progress& progress) {
   check_packets(config_, packets);
@@ -65,7 +67,9 @@ LightResult GoldenMachine::light(const LightJob& job, const Progress& progress) 
   if (source_voxel != Grid::kFree) refuse_occupied_source(job, voxels_[source_voxel].owner.facet);
 
   arrived_.assign(voxels_.size(), 0);
-  const Diffusion diffusion = diffuse(grid_, job.source, job.target_distance, arrived_, progress);
+  const Field field = look_from(job, grid_, voxels_, layers_);
+  const Diffusion diffusion =
+      diffuse(grid_, voxels_, field, job.source, job.target_distance, arrived_, progress);
   LightResult result;
   result.visits = diffusion.visits;
   result.targets = diffusion.targets;

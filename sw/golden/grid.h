@@ -39,6 +39,9 @@ class Grid {
 
   int n() const { return n_; }
 
+  /// Places of the cube and its frame.
+  std::size_t size() const { return voxels_.size(); }
+
   /// Distance in memory between two neighbours along axis 0, 1 or 2.
   std::ptrdiff_t stride(int axis) const { return stride_[static_cast<std::size_t>(axis)]; }
 

@@ -28,14 +28,26 @@ class Layers {
   /// The parity of the object that ends here becomes part of what is inside, and starts anew.
   void end_object();
 
+  bool is_inside(const glm::ivec3& voxel) const { return has(voxel, kInside); }
+  bool is_thin(const glm::ivec3& voxel) const { return has(voxel, kThin); }
+
+  /// PacketHead::facing of a facet, 13 (no way) if it has no armour.
+  int facing(std::uint32_t facet) const {
+    return facet < facing_.size() ? facing_[facet] : kOppositeFacings / 2;
+  }
+
   /// All voxels of any layer; `grid` tells which have armour.
   LayerMemory read(const Grid& grid) const;
 
  private:
   enum Bit : std::uint8_t { kShown = 1, kInside = 2, kThin = 4, kParity = 8 };
 
-  std::uint8_t& at(const glm::ivec3& voxel) {
-    return bits_[(static_cast<std::size_t>(voxel.z) * n_ + voxel.y) * n_ + voxel.x];
+  std::size_t place(const glm::ivec3& voxel) const {
+    return (static_cast<std::size_t>(voxel.z) * n_ + voxel.y) * n_ + voxel.x;
+  }
+  std::uint8_t& at(const glm::ivec3& voxel) { return bits_[place(voxel)]; }
+  bool has(const glm::ivec3& voxel, Bit bit) const {
+    return !bits_.empty() && (bits_[place(voxel)] & bit) != 0;
   }
 
   int n_;

@@ -127,6 +127,14 @@ void check_light(const MachineConfig& config, const LightJob& job) {
   if (job.fa < 1 || job.fa > config.max_fa) {
     refuse_light(job, fmt::format("the depth FA is {}; choose 1 to {}", job.fa, config.max_fa));
   }
+  if (job.rule == LightRule::thesis) return;
+  if (!config.accurate_light) {
+    refuse_light(job,
+                 "this machine knows the thesis's light rule only; leave out --light-rule, or use "
+                 "--machine golden");
+  }
+  if (job.blocking == nullptr)
+    refuse_light(job, "the accurate light rule must be told which facets block light");
 }
 
 void refuse_occupied_source(const LightJob& job, std::uint32_t owner) {

@@ -19,11 +19,26 @@
 
 namespace rc2 {
 
+/// Where light ends (docs/light.md).
+///  - thesis    in every occupied voxel (4.3)
+///  - accurate  where the owner turns away from the light, and inside solids; what faces the light
+///  is
+///              lit and passed. Needs all layers.
+enum class LightRule { thesis, accurate };
+
+/// Throws Error on an unknown word.
+LightRule parse_light_rule(const std::string& word);
+const char* to_string(LightRule rule);
+
 /// One light's diffusion (thesis 4.3): source voxel, distance L of the virtual faces, depth of FA.
 struct LightJob {
   glm::ivec3 source;
   int target_distance;
   int fa;
+  LightRule rule = LightRule::thesis;
+  /// Of each facet, whether light ends at it (facet::find_blocking): a bit per facet and light that
+  /// reaches the voxels through their owners. LightRule::accurate only.
+  const std::vector<bool>* blocking = nullptr;
 };
 
 /// Number of targets of one source: the surface of the cube of half-side L, each edge once.
@@ -78,7 +93,8 @@ inline bool operator==(const LayerRecord& a, const LayerRecord& b) {
 /// Every voxel that is part of any layer, sorted by z, then y, then x.
 using LayerMemory = std::vector<LayerRecord>;
 
-/// Targets that arrived at each occupied voxel, in the order of VoxelMemory.
+/// Targets that arrived at each occupied voxel, whether they ended there or went on, in the order
+/// of VoxelMemory.
 using LightMemory = std::vector<std::uint32_t>;
 
 /// Called now and then during a long step: the step's name, cycles so far, share done (0..1).

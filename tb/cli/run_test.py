@@ -181,6 +181,19 @@ class Run(HostTest):
         self.assertLess(voxels["naive"], voxels["armoured"])
         self.assertLess(voxels["naive"], voxels["supercover"])
 
+    def test_the_accurate_light_rule_lights_more(self):
+        lit = {}
+        for rule in ("thesis", "accurate"):
+            self.succeed("run", "room", "--n", 24, "--machine", "golden", "--light-rule", rule)
+            self.assertEqual(self.report()["light_rule"], rule)
+            lit[rule] = self.report()["lit"][0]
+        self.assertGreater(lit["accurate"], lit["thesis"])
+
+    def test_the_error_of_light_is_a_table(self):
+        self.succeed("light-error", "boxes", "sheets", "--n", 24, "--reach", "1,2", "--out", "error.csv")
+        rows = (self.folder / "error.csv").read_text().splitlines()
+        self.assertEqual(len(rows), 1 + 2 * 2 * 2 * 6 * 3)  # scenes, L, rules, lights, sets of voxels
+
     def test_a_second_run_replaces_the_first(self):
         self.succeed("run", "ball:3", "--n", 8)
         before = (self.folder / "out/picture.exr").read_bytes()

@@ -1,0 +1,215 @@
+// Chapter 4: where the light of the golden model differs from that of the continuous scene.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <glm/common.hpp>
+#include <limits>
+#include <map>
+#include <memory>
+
+#include "sim/commands.h"
+#include "sim/light_compare.h"
+#include "sim/light_scenes.h"
+#include "sim/memory.h"
+#include "sim/outputs.h"
+#include "sim/progress_bar.h"
+#include "sw/base/replace_file.h"
+#include "sw/facet/blocking.h"
+#include "sw/facet/layers.h"
+#include "sw/golden/golden_machine.h"
+#include "sw/machine/checks.h"
+#include "sw/report/laws.h"
+#include "sw/truth/verdict.h"
+
+namespace rc2 {
+namespace {
+
+constexpr double kDensity = 32;  // samples per unit of area
+
+// Shares of n: all round a scene, near the walls of a room.
+const std::array<glm::dvec3, 6> kLights{{{0.90, 0.95, 0.85},
+                                         {0.06, 0.55, 0.62},
+                                         {0.52, 0.48, 0.96},
+                                         {0.10, 0.07, 0.12},
+                                         {0.94, 0.32, 0.10},
+                                         {0.45, 0.05, 0.56}}};
+
+struct LightErrorOptions {
+  std::vector<std::string> scenes;
+  std::vector<int> sides = {64, 128};
+  std::vector<int> reaches = {2};
+  std::vector<std::string> rules = {"thesis", "accurate"};
+  int fraction_bits = 6;
+  std::string out;
+};
+
+struct Row {
+  std::string scene;
+  int n, reach;
+  std::string rule;
+  glm::ivec3 light;
+  std::int64_t visits;
+  std::array<Errors, kPopulations.size()> errors;
+};
+
+// The voxel nearest to the place that is neither armoured nor inside a solid.
+glm::ivec3 free_voxel(const LayerMemory& layers, int n, const glm::dvec3& share) {
+  std::vector<bool> is_free(static_cast<std::size_t>(n) * n * n, true);
+  const auto place = [n](const glm::ivec3& at) {
+    return (static_cast<std::size_t>(at.z) * n + at.y) * n + at.x;
+  };
+  for (const LayerRecord& layer : layers)
+    if (layer.armour || layer.inside) is_free[place(layer.at)] = false;
+  const glm::ivec3 wanted(glm::floor(share * static_cast<double>(n)));
+  glm::ivec3 best(-1);
+  int best_square = std::numeric_limits<int>::max();
+  for (glm::ivec3 at{0}; at.z < n; ++at.z)
+    for (at.y = 0; at.y < n; ++at.y)
+      for (at.x = 0; at.x < n; ++at.x) {
+        const glm::ivec3 way = at - wanted;
+        const int square = way.x * way.x + way.y * way.y + way.z * way.z;
+        if (square >= best_square || !is_free[place(at)]) continue;
+        best = at;
+        best_square = square;
+      }
+  if (best_square == std::numeric_limits<int>::max())
+    throw Error("every voxel is occupied, so no light can be placed; use a larger --n");
+  return best;
+}
+
+void measure(const std::string& name, int n, const LightErrorOptions& options, ProgressBar& bar,
+             std::vector<Row>& rows) {
+  const scene::Scene scene = make_light_scene(name, n);
+  const std::string title = std::filesystem::path(name).filename();
+  const facet::FacetSet facets = facet::build_layers(scene, n, options.fraction_bits);
+  if (facets.facets.empty())
+    throw Error(fmt::format("{}: there is nothing to light; choose a scene with facets", name));
+  MachineConfig config;
+  config.n = n;
+  config.fraction_bits = options.fraction_bits;
+  config.max_distance = n * *std::max_element(options.reaches.begin(), options.reaches.end());
+  golden::GoldenMachine machine(config);
+  machine.load(facets.packets, bar.step(fmt::format("{}, n = {}: loading", title, n)));
+  const LayerMemory layers = machine.read_layers();
+  const Shown shown(layers, machine.read_voxels(), n);
+
+  const truth::Surface surface(scene);
+  const truth::Samples samples(surface, n, kDensity);
+  for (const glm::dvec3& share : kLights) {
+    const glm::ivec3 light = free_voxel(layers, n, share);
+    const std::vector<truth::Verdict> verdicts =
+        truth::judge(surface, samples, shown.places(), light);
+    const std::vector<bool> blocking =
+        facet::find_blocking(facets.facets, light, options.fraction_bits);
+    std::vector<bool> away;
+    for (const facet::FacetInfo& facet : facets.facets)
+      away.push_back(facet::turns_away(facet, light, options.fraction_bits));
+    for (const int reach : options.reaches) {
+      for (const std::string& rule : options.rules) {
+        const LightJob job{light, reach * n, 1, parse_light_rule(rule), &blocking};
+        const auto progress =
+            bar.step(fmt::format("{}, n = {}, L = {}, {}", title, n, reach * n, rule));
+        const LightResult result = machine.light(job, progress);
+        const LightMemory arrived = machine.read_light();
+        report::check_light(result, arrived, job, machine.read_voxels().size());
+        Row row{title, n, reach, rule, light, result.visits, {}};
+        for (std::size_t i = 0; i < kPopulations.size(); ++i)
+          row.errors[i] = shown.compare(verdicts, kPopulations[i], arrived, away);
+        rows.push_back(row);
+      }
+    }
+  }
+}
+
+// Errors over all lights, pooled.
+void print(const std::vector<Row>& rows) {
+  fmt::print("{:<28}{:>5}{:>5}{:>10}", "scene", "n", "L/n", "rule");
+  for (const Population population : kPopulations) fmt::print("{:>26}", to_string(population));
+  fmt::print("\n");
+  for (std::size_t first = 0; first < rows.size();) {
+    std::map<std::pair<int, std::string>, std::array<Errors, kPopulations.size()>> sums;
+    std::size_t last = first;
+    for (; last < rows.size() && rows[last].scene == rows[first].scene &&
+           rows[last].n == rows[first].n;
+         ++last)
+      for (std::size_t i = 0; i < kPopulations.size(); ++i)
+        sums[{rows[last].reach, rows[last].rule}][i].add(rows[last].errors[i]);
+    for (const auto& [key, errors] : sums) {
+      fmt::print("{:<28}{:>5}{:>5}{:>10}", rows[first].scene, rows[first].n, key.first, key.second);
+      for (const Errors& of : errors)
+        fmt::print("  {:>5.2f}+{:>5.2f} / {:>4.2f}+{:>4.2f}", of.percent(of.dark),
+                   of.percent(of.lit), of.percent(of.dark_tolerant), of.percent(of.lit_tolerant));
+      fmt::print("\n");
+    }
+    first = last;
+  }
+}
+
+std::string to_csv(const std::vector<Row>& rows) {
+  std::string csv =
+      "scene,n,L,rule,light_x,light_y,light_z,visits,population,voxels,false_dark,false_lit,"
+      "false_dark_tolerant,false_lit_tolerant\n";
+  for (const Row& row : rows) {
+    for (std::size_t i = 0; i < kPopulations.size(); ++i) {
+      const Errors& of = row.errors[i];
+      csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", row.scene, row.n,
+                         row.reach * row.n, row.rule, row.light.x, row.light.y, row.light.z,
+                         row.visits, to_string(kPopulations[i]), of.voxels, of.dark, of.lit,
+                         of.dark_tolerant, of.lit_tolerant);
+    }
+  }
+  return csv;
+}
+
+ExitCode measure_light_error(const LightErrorOptions& options) {
+  Outputs outputs;
+  if (!options.out.empty()) outputs.add_file(options.out);
+  ProgressBar bar;
+  std::vector<Row> rows;
+  for (const std::string& scene : options.scenes)
+    for (const int n : options.sides)
+      within_memory(n, [&] { measure(scene, n, options, bar, rows); });
+  bar.wipe();
+  print(rows);
+  if (!options.out.empty()) replace_file(options.out, to_csv(rows));
+  outputs.keep();
+  return kDone;
+}
+
+}  // namespace
+
+void declare_light_error(CLI::App& program, ExitCode& exit_code) {
+  auto options = std::make_shared<LightErrorOptions>();
+  auto* command = program.add_subcommand(
+      "light-error", "Compares the light of the golden model with the continuous scene (Embree)");
+  command
+      ->add_option("SCENE", options->scenes,
+                   "Files that Assimp reads, or generated scenes: those of run; boxes, tori, "
+                   "plates:THICKNESS, sheets")
+      ->required();
+  command->add_option("--n", options->sides, "Sides of the cube, in voxels")
+      ->delimiter(',')
+      ->check(CLI::Range(8, kMaxSide))
+      ->capture_default_str();
+  command->add_option("--reach", options->reaches, "Distances L of the virtual faces, over n")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 8))
+      ->capture_default_str();
+  command->add_option("--light-rule", options->rules, "Rules of light")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"thesis", "accurate"}))
+      ->capture_default_str();
+  command
+      ->add_option("--fraction-bits", options->fraction_bits,
+                   "Vertices are multiples of 2^-f voxel")
+      ->check(CLI::Range(0, kMaxFractionBits))
+      ->capture_default_str();
+  command->add_option("--out", options->out, "Write the table to this CSV file")
+      ->type_name("FILE.csv");
+  command->callback([options, &exit_code] { exit_code = measure_light_error(*options); });
+}
+
+}  // namespace rc2
