@@ -36,6 +36,7 @@ class ZLanes {
   void advance(const Box& from, const Box& to, int step);
   void leave(const Box& box, int step, bool all, std::int64_t cycle);
   std::int64_t targets(int step, int dx, int dy, const ClassSet* rows) const;
+  std::int64_t kept(int step, int at, int offset, ClassSet set) const;
 
   ClassSet* rows(std::vector<ClassSet>& front, int x, int y);
 
