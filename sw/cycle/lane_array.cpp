@@ -62,7 +62,8 @@ LightResult LaneArray::run(const LightJob& job, const Observer& observer,
   }
 
   // What is served is marked two cycles later; the pace goes on to the farthest face.
-  result.cycles = std::max<std::int64_t>(side_.last_served() + 2, 2 * (kmax + 1));
+  const std::int64_t pace = 2 * (std::int64_t{kmax} + 1);
+  result.cycles = std::max(side_.last_served() + 2, pace);
   result.home_cycles = std::max(side_.tally().home_cycle(), z_.tally().home_cycle());
   result.visits = side_.visits() + z_.visits();
   result.merged = side_.merged();
@@ -76,7 +77,7 @@ LightResult LaneArray::run(const LightJob& job, const Observer& observer,
 
 // Cycles in which nothing may move: until the classes of the farthest cells are there, and a table
 // is filled.
-std::int64_t LaneArray::longest_wait() const { return 2 * n_ + StopTable::kRuns + 8; }
+std::int64_t LaneArray::longest_wait() const { return std::int64_t{2} * n_ + StopTable::kRuns + 8; }
 
 void LaneArray::report_deadlock(std::int64_t cycle) const {
   std::string cells;

@@ -13,7 +13,7 @@ int sign(int value) { return (value > 0) - (value < 0); }
 
 ZLanes::ZLanes(int n, Columns& columns) : n_(n), columns_(columns) {}
 
-ClassSet* ZLanes::rows(std::vector<ClassSet>& front, int x, int y) {
+ClassSet* ZLanes::rows(std::vector<ClassSet>& front, int x, int y) const {
   return front.data() + cell_number(x, y, n_) * height_;
 }
 
