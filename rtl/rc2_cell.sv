@@ -92,6 +92,7 @@ module rc2_cell (
   logic [rc2_pkg::ValueW-1:0] visits_q;
   logic [rc2_pkg::QueueW-1:0] deepest;
   logic [15:0] signature;
+  /*verilator tracing_on*/
   rc2_voxels u_voxels (
       .clk_i       (clk_i),
       .rst_ni      (rst_ni),
@@ -109,6 +110,7 @@ module rc2_cell (
       .history_i   ({signature, deepest}),
       .busy_o      (voxels_busy)
   );
+  /*verilator tracing_off*/
 
   // ---- Where the cell is, seen from the light ------------------------------------------------------
   logic signed [OffW-1:0] dx, dy;
@@ -171,7 +173,6 @@ module rc2_cell (
   logic [3:0] ways;
   /*verilator tracing_on*/
   logic [rc2_pkg::QueueW-1:0] queue;
-  /*verilator tracing_off*/
   rc2_side_lane u_side_lane (
       .clk_i      (clk_i),
       .rst_ni     (rst_ni),
@@ -208,6 +209,7 @@ module rc2_cell (
       .queue_o    (queue),
       .busy_o     (side_busy)
   );
+  /*verilator tracing_off*/
 
   // ---- What light reaches --------------------------------------------------------------------------
   logic lit;

@@ -72,6 +72,7 @@ module rc2_cell_thesis (
   logic voxels_busy;
   logic [CoordW-1:0] light_addr;
   logic [rc2_pkg::HomeW-1:0] arrived;
+  /*verilator tracing_on*/
   rc2_voxels u_voxels (
       .clk_i       (clk_i),
       .rst_ni      (rst_ni),
@@ -89,6 +90,7 @@ module rc2_cell_thesis (
       .history_i   ({signature, deepest}),
       .busy_o      (voxels_busy)
   );
+  /*verilator tracing_off*/
 
   // ---- Light: links -> queue -> links, column ----------------------------------------------------
   logic arrival_valid, arrival_take, router_busy;

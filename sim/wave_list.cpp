@@ -21,8 +21,11 @@ class SaveFile {
  public:
   void title(const std::string& text) { text_ += fmt::format("{}\n-{}\n", kTitle, text); }
   void signal(const char* format, const std::string& name, int width) {
-    text_ +=
-        fmt::format("{}\n{}{}\n", format, name, width == 1 ? "" : fmt::format("[{}:0]", width - 1));
+    if (width > 1) return vector(format, name, width);
+    text_ += fmt::format("{}\n{}\n", format, name);
+  }
+  void vector(const char* format, const std::string& name, int width) {
+    text_ += fmt::format("{}\n{}[{}:0]\n", format, name, width - 1);
   }
   void text(const std::string& text) { text_ += text; }
   const std::string& str() const { return text_; }
@@ -93,8 +96,8 @@ void write_wave_list(const std::string& waves, const MachineConfig& config, glm:
                         " -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1"));
   list.title("Machine");
   list.signal(kBits, machine + "clk_i", 1);
-  list.signal(kBits, machine + "s_axis_tvalid", 1);
-  list.signal(kBits, machine + "s_axis_tready", 1);
+  list.vector(kBits, machine + "s_axis_tvalid", config.feeders);
+  list.vector(kBits, machine + "s_axis_tready", config.feeders);
   list.signal(kBits, machine + "m_axis_tvalid", 1);
   list.signal(kBits, machine + "start_q", 1);
   list.signal(kBits, machine + "busy", 1);

@@ -1,5 +1,7 @@
 """rc2 run: what it writes is there, complete, and consistent with itself."""
 
+import shutil
+import subprocess
 import unittest
 
 from host import MODELS, ROOM, HostTest, exr_channels, png_size
@@ -165,6 +167,29 @@ class Run(HostTest):
         self.assertEqual((report["mode"], report["cycles"]["hop_stages"]), ("thesis", 3))
         self.assertEqual(report["targets"]["total"], 24 * 25 + 2)
         self.assertEqual(report["beams"]["max_queue"], 1)
+
+    @unittest.skipUnless(shutil.which("fst2vcd"), "fst2vcd of GTKWave is not installed")
+    def test_the_waveform_has_every_signal_of_its_list(self):
+        for mode in ("fast", "thesis"):
+            result = self.rc2("run", "ball:1", "--n", 4, "--machine", "rtl", "--mode", mode, "--light",
+                              "0,0,0", "--waves", "w.fst")
+            if "no such Verilated machine" in result.stderr:
+                self.skipTest("the Verilated machines are not built")
+            vcd = subprocess.run(["fst2vcd", "w.fst"], cwd=self.folder, capture_output=True,
+                                 text=True, check=True).stdout
+            scope, names = [], set()
+            for line in vcd.split("$enddefinitions")[0].splitlines():
+                words = line.split()
+                if words[:1] == ["$scope"]:
+                    scope.append(words[2])
+                elif words[:1] == ["$upscope"]:
+                    scope.pop()
+                elif words[:1] == ["$var"]:
+                    names.add(".".join(scope + ["".join(words[4:-1])]))
+            listed = [line for line in (self.folder / "w.gtkw").read_text().splitlines()
+                      if line.startswith("rc2.")]
+            self.assertGreater(len(listed), 50)
+            self.assertEqual([name for name in listed if name not in names], [])
 
     def test_both_modes_light_the_same(self):
         for mode in ("fast", "thesis"):
