@@ -6,17 +6,13 @@
 #include <stdexcept>
 
 namespace rc2::cycle {
-namespace {
-
-int farthest(const glm::ivec3& source, int n) {
+int farthest_face(const glm::ivec3& source, int n) {
   int steps = 0;
   for (int axis = 0; axis < 3; ++axis) {
     steps = std::max({steps, source[axis], n - 1 - source[axis]});
   }
   return steps;
 }
-
-}  // namespace
 
 LaneArray::LaneArray(int n, Columns& columns)
     : n_(n), columns_(columns), side_(n, columns), z_(n, columns), history_(columns.size()) {}
@@ -26,7 +22,7 @@ LightResult LaneArray::run(const LightJob& job, const Observer& observer,
   LightResult result;
   result.targets.total = total_targets(job.target_distance);
   columns_.darken();
-  const Classes classes(job.target_distance, farthest(job.source, n_) + 1);
+  const Classes classes(job.target_distance, farthest_face(job.source, n_) + 1);
   z_.run(job, classes);
   side_.start(job, classes);
   history_.start();
@@ -41,7 +37,7 @@ LightResult LaneArray::run(const LightJob& job, const Observer& observer,
     if (progress && cycle % 1024 == 0) progress("light", cycle, 0.5);
   }
   result.cycles =
-      std::max<std::int64_t>(side_.last_served() + 2, 2 * (farthest(job.source, n_) + 1));
+      std::max<std::int64_t>(side_.last_served() + 2, 2 * (farthest_face(job.source, n_) + 1));
   result.home_cycles = std::max(side_.tally().home_cycle(), z_.tally().home_cycle());
   result.visits = side_.visits() + z_.visits();
   result.merged = side_.merged();

@@ -9,6 +9,7 @@
 #include "sw/cycle/cell.h"
 #include "sw/cycle/classes.h"
 #include "sw/cycle/cycle_machine.h"
+#include "sw/cycle/lane_array.h"
 #include "sw/cycle/stop_table.h"
 #include "sw/lines/digital_line.h"
 #include "tb/unit/random_packets.h"
@@ -171,11 +172,6 @@ MachineConfig fast(int n) {
   config.n = n;
   config.max_distance = 4 * n;
   return config;
-}
-
-int farthest_face(const glm::ivec3& source, int n) {
-  return std::max({source.x, source.y, source.z, n - 1 - source.x, n - 1 - source.y,
-                   n - 1 - source.z});
 }
 
 // The empty cube, any source: two cycles a step to the farthest face, and at most eight.
