@@ -2,17 +2,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 
 #include "sim/commands.h"
 #include "sim/job.h"
-#include "sim/lights.h"
+#include "sim/light_sources.h"
 #include "sim/memory.h"
 #include "sim/outputs.h"
 #include "sim/progress_bar.h"
-#include "sim/stopwatch.h"
+#include "sim/timed_load.h"
 #include "sw/base/replace_file.h"
 #include "sw/cycle/cycle_machine.h"
 
@@ -27,11 +26,6 @@ struct DiffusionOptions {
   std::string out;
 };
 
-struct Source {
-  const char* name;
-  glm::ivec3 voxel;
-};
-
 struct Measured {
   std::string scene;
   int n;
@@ -39,28 +33,11 @@ struct Measured {
   const char* source;
   LightJob job;
   LightResult light;
-  double seconds;
+  double seconds;  ///< of processor time
 
   int farthest() const { return cycle::farthest_face(job.source, n); }
   std::int64_t bound() const { return std::int64_t{hop_stages(mode)} * (farthest() + 1); }
 };
-
-// Where something stands, the nearest free voxel.
-std::vector<Source> choose_sources(const std::string& scene, const VoxelMemory& voxels, int n) {
-  const auto at = [&](double share) { return static_cast<int>(std::lround(share * (n - 1))); };
-  std::vector<Source> sources = {{"centre", glm::ivec3(n / 2)},
-                                 {"aside", {at(.23), at(.67), at(.81)}},
-                                 {"corner", glm::ivec3(0)}};
-  for (Source& source : sources) {
-    const auto free = nearest_free(voxels, source.voxel, n);
-    if (!free) {
-      throw Error(fmt::format(
-          "{}: every voxel is occupied, so no light can be placed; use a larger --n", scene));
-    }
-    source.voxel = *free;
-  }
-  return sources;
-}
 
 void measure(const std::string& scene, int n, LightMode mode, const facet::PacketStream& packets,
              const DiffusionOptions& options, ProgressBar& bar, std::vector<Measured>& all) {
@@ -75,14 +52,13 @@ void measure(const std::string& scene, int n, LightMode mode, const facet::Packe
   config.mode = mode;
   cycle::CycleMachine machine(config);
   machine.load(packets, bar.step(title + ", loading"));
-  for (const Source& source : choose_sources(name, machine.read_voxels(), n)) {
+  for (const LightSource& source : choose_sources(name, machine.read_voxels(), n)) {
     for (const int distance : {n - 1, 2 * n}) {
       for (const int fa : options.queues) {
         const LightJob job{source.voxel, distance, fa};
-        Stopwatch watch;
-        const LightResult light = machine.light(job, bar.step(title));
-        watch.lap("light");
-        all.push_back({name, n, mode, source.name, job, light, watch.laps().front().second});
+        Best watch;
+        const LightResult light = watch.time([&] { return machine.light(job, bar.step(title)); });
+        all.push_back({name, n, mode, source.name, job, light, watch.seconds()});
       }
     }
   }
@@ -90,11 +66,10 @@ void measure(const std::string& scene, int n, LightMode mode, const facet::Packe
 
 void print(const std::vector<Measured>& all) {
   fmt::print(
-      "Light on the cycle model. No light of the mode can be shorter than the bound, P cycles for\n"
-      "each step to the farthest face and the step there. Where a source would stand in a voxel "
-      "of\n"
-      "the scene, the nearest free one is taken.\n\n{:<20}{:>5}  {:<8}{:>5}{:>4}  "
-      "{:<7}{:>9}{:>7}{:>8}{:>13}{:>12}{:>9}\n",
+      "Light on the cycle model. The bound: P cycles for each step to the farthest face, and for\n"
+      "the step there. The fast mode always takes them, the thesis's ends when no beam is left.\n"
+      "Where a source would stand in a voxel of the scene, the nearest free one is taken.\n\n"
+      "{:<20}{:>5}  {:<8}{:>5}{:>4}  {:<7}{:>9}{:>7}{:>8}{:>13}{:>12}{:>9}\n",
       "scene", "n", "source", "L", "FA", "mode", "T", "bound", "excess", "visits", "merged",
       "deepest");
   for (const Measured& row : all) {
@@ -133,8 +108,7 @@ ExitCode measure_diffusion(const DiffusionOptions& options) {
       within_memory(n, [&] {
         const facet::PacketStream packets = prepare(loaded).facets.packets;
         for (const std::string& mode : options.modes) {
-          measure(loaded.scene, n, mode == "thesis" ? LightMode::thesis : LightMode::fast, packets,
-                  options, bar, all);
+          measure(loaded.scene, n, parse_light_mode(mode), packets, options, bar, all);
         }
       });
     }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <string>
 
 namespace rc2 {
 
@@ -22,6 +23,11 @@ enum class LightMode {
 /// "fast" or "thesis".
 constexpr const char* to_string(LightMode mode) {
   return mode == LightMode::thesis ? "thesis" : "fast";
+}
+
+/// Of one of these words.
+inline LightMode parse_light_mode(const std::string& word) {
+  return word == to_string(LightMode::thesis) ? LightMode::thesis : LightMode::fast;
 }
 
 /// Cycles that light takes from a cell to the next where nothing holds it up.
