@@ -11,6 +11,7 @@
 #include "sim/memory.h"
 #include "sim/outputs.h"
 #include "sim/progress_bar.h"
+#include "sw/cycle/cell.h"
 #include "sw/cycle/cycle_machine.h"
 #include "sw/picture/contact_sheet.h"
 #include "sw/picture/png.h"
@@ -89,9 +90,8 @@ ExitCode draw_queues(const QueuesOptions& options) {
       for (int row = 0; row < rows; ++row) {
         const auto frame = frames.find(options.times[static_cast<std::size_t>(row)]);
         sheet.draw(row, column, [&](int x, int y) {
-          return colour_of(frame == frames.end()
-                               ? 0
-                               : frame->second[static_cast<std::size_t>(y * options.n + x)]);
+          const std::size_t cell = cycle::cell_number(x, y, options.n);
+          return colour_of(frame == frames.end() ? 0 : frame->second[cell]);
         });
       }
       ++column;

@@ -42,7 +42,7 @@ struct MachineConfig {
   int feeders = 1;        ///< row feeders that the host port serves; a power of two <= n
   bool layers = true;     ///< columns know shown, inside and thin voxels, not only armour
   LightMode mode = LightMode::fast;
-  bool counts = true;  ///< read_light() says how many targets arrived, not only if any did
+  bool counts = true;           ///< read_light() says how many targets arrived, not only if any did
   bool accurate_light = false;  ///< knows LightRule::accurate, which needs the layers
 };
 

@@ -66,8 +66,8 @@ Targets SideLane::clip(const Cell& cell) const {
 
 std::int64_t SideLane::weight(const Cell& cell, const ColumnBeam& beam) const {
   const int offset = beam.along_y ? cell.x - light_.source.x : cell.y - light_.source.y;
-  return classes_->targets(steps(cell), offset, beam.u & ~kEdge) + ((beam.u & kEdge) != 0 ? 1 : 0) *
-         (offset == 0 ? 2 : 1);
+  return classes_->targets(steps(cell), offset, beam.u & ~kEdge) +
+         ((beam.u & kEdge) != 0 ? 1 : 0) * (offset == 0 ? 2 : 1);
 }
 
 void SideLane::reach(std::size_t cell) {
@@ -134,15 +134,16 @@ bool SideLane::serve(std::size_t number, std::int64_t cycle) {
     if (cycle < cell.table.ready()) return false;
     if (!cell.table.knows(cell.beam.v.min)) {
       const int z = light_.source.z;
-      cell.table.fill(columns_, number, slope(cell), z,
-                      z + slope(cell).offset(cell.beam.v.min), std::min(n_ - 1, z + k), cycle + 2);
+      cell.table.fill(columns_, number, slope(cell), z, z + slope(cell).offset(cell.beam.v.min),
+                      std::min(n_ - 1, z + k), cycle + 2);
       return false;
     }
     const StopTable::Passage passage = cell.table.pass(cell.beam.v);
     const Targets free = passage.free;
     if (!free.none() && !send(cell, cell.beam, free, cycle)) return false;
     absorb(number, cell.beam, {cell.beam.v.min, std::min(passage.end, free.min - 1)}, cycle);
-    absorb(number, cell.beam, {std::max(cell.beam.v.min, std::max(free.min, free.max + 1)), passage.end}, cycle);
+    absorb(number, cell.beam,
+           {std::max(cell.beam.v.min, std::max(free.min, free.max + 1)), passage.end}, cycle);
     cell.beam.v.min = passage.end + 1;
     cell.serving = !cell.beam.v.none();
   }

@@ -60,9 +60,9 @@ class SideLane {
     std::uint16_t x, y;
     bool table_made;
     bool serving;
-    std::uint8_t start;           // the source's beams that are still to come
+    std::uint8_t start;  // the source's beams that are still to come
     std::array<std::uint16_t, 2> first, count;
-    ColumnBeam beam;              // being served
+    ColumnBeam beam;  // being served
     StopTable table;
   };
   struct Arrival {

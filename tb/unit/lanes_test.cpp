@@ -37,13 +37,13 @@ Path start_of(const Path& path, int step) { return {path.begin(), path.begin() +
 std::vector<std::vector<int>> same_ways(const std::map<int, Path>& paths, int step, int offset) {
   std::map<Path, std::vector<int>> ways;
   for (const auto& [target, path] : paths) {
-    if (path[static_cast<std::size_t>(step)] == offset) ways[start_of(path, step)].push_back(target);
+    if (path[static_cast<std::size_t>(step)] == offset)
+      ways[start_of(path, step)].push_back(target);
   }
   std::vector<std::vector<int>> classes;
   for (const auto& [path, targets] : ways) classes.push_back(targets);
-  std::sort(classes.begin(), classes.end(), [](const auto& a, const auto& b) {
-    return std::abs(a.front()) < std::abs(b.front());
-  });
+  std::sort(classes.begin(), classes.end(),
+            [](const auto& a, const auto& b) { return std::abs(a.front()) < std::abs(b.front()); });
   return classes;
 }
 
@@ -54,8 +54,8 @@ TEST(Classes, AreTheTargetsThatHaveGoneTheSameWay) {
     const Classes classes(distance, kSteps);
     for (int step = 0; step <= kSteps; ++step) {
       for (int offset = -step; offset <= step; ++offset) {
-        SCOPED_TRACE(testing::Message() << "L " << distance << " step " << step << " offset "
-                                        << offset);
+        SCOPED_TRACE(testing::Message()
+                     << "L " << distance << " step " << step << " offset " << offset);
         const auto ways = same_ways(paths, step, offset);
         const Classes::Cut& cut = classes.cut(step, offset);
         ASSERT_EQ(cut.count, ways.size());
