@@ -37,7 +37,7 @@ LightResult LaneArray::run(const LightJob& job, const Observer& observer,
     if (progress && cycle % 1024 == 0) progress("light", cycle, 0.5);
   }
   result.cycles =
-      std::max<std::int64_t>(side_.last_served() + 2, 2 * (farthest_face(job.source, n_) + 1));
+      std::max(side_.last_served() + 2, std::int64_t{2} * (farthest_face(job.source, n_) + 1));
   result.home_cycles = std::max(side_.tally().home_cycle(), z_.tally().home_cycle());
   result.visits = side_.visits() + z_.visits();
   result.merged = side_.merged();

@@ -66,8 +66,9 @@ Targets SideLane::clip(const Cell& cell) const {
 
 std::int64_t SideLane::weight(const Cell& cell, const ColumnBeam& beam) const {
   const int offset = beam.along_y ? cell.x - light_.source.x : cell.y - light_.source.y;
+  const int of_edge = offset == 0 ? 2 : 1;
   return classes_->targets(steps(cell), offset, beam.u & ~kEdge) +
-         ((beam.u & kEdge) != 0 ? 1 : 0) * (offset == 0 ? 2 : 1);
+         ((beam.u & kEdge) != 0 ? of_edge : 0);
 }
 
 void SideLane::reach(std::size_t cell) {
