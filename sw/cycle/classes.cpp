@@ -82,8 +82,7 @@ void Classes::make_list(int step, int offset) {
     if (list.cut.come == 0) list.inner = old.inner;
     const int last = limit(before, offset, negative);
     for (std::size_t i = 0; i < old.cut.stay; ++i) {
-      outer_.push_back(
-          static_cast<std::uint16_t>(std::min<int>(outer_[old.first + i], last)));
+      outer_.push_back(static_cast<std::uint16_t>(std::min<int>(outer_[old.first + i], last)));
     }
   }
   list.cut.count = static_cast<std::uint8_t>(outer_.size() - list.first);

@@ -6,7 +6,10 @@
 namespace rc2::cycle {
 
 CycleMachine::CycleMachine(const MachineConfig& config)
-    : config_(checked(config)), columns_(config.n), light_array_(config.n, columns_), lane_array_(config.n, columns_) {}
+    : config_(checked(config)),
+      columns_(config.n),
+      light_array_(config.n, columns_),
+      lane_array_(config.n, columns_) {}
 
 LoadResult CycleMachine::load(const facet::PacketStream& packets, const Progress& progress) {
   check_packets(config_, packets);

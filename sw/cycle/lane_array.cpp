@@ -4,8 +4,21 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
+
+#include "sw/base/error.h"
 
 namespace rc2::cycle {
+namespace {
+
+constexpr std::int64_t kProgressCycles = 1024;
+constexpr std::size_t kNamedCells = 8;
+
+// Classes that fit in a set beside the one of x beams alone (SideLane).
+constexpr int kMostClasses = 63;
+
+}  // namespace
+
 int farthest_face(const glm::ivec3& source, int n) {
   int steps = 0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -19,25 +32,38 @@ LaneArray::LaneArray(int n, Columns& columns)
 
 LightResult LaneArray::run(const LightJob& job, const Observer& observer,
                            const Progress& progress) {
+  const int kmax = farthest_face(job.source, n_);
+  const Classes classes(job.target_distance, kmax + 1);
+  if (classes.most() > kMostClasses) {
+    throw Error(
+        fmt::format("L = {} is too fine for light in lanes at n = {}; choose a smaller L, "
+                    "or thesis mode",
+                    job.target_distance, n_));
+  }
   LightResult result;
   result.targets.total = total_targets(job.target_distance);
   columns_.darken();
-  const Classes classes(job.target_distance, farthest_face(job.source, n_) + 1);
+  history_.start();
   z_.run(job, classes);
   side_.start(job, classes);
-  history_.start();
+
   std::int64_t cycle = 0, still = 0;
   while (side_.busy()) {
     ++cycle;
     if (observer) observer(cycle, side_.queues());
     for (const std::size_t cell : side_.active()) history_.add(cell, side_.queues()[cell], cycle);
     still = side_.step(cycle) ? 0 : still + 1;
-    if (still > 4 * n_ + 64)
-      throw std::logic_error(fmt::format("the light is stuck in cycle {}", cycle));
-    if (progress && cycle % 1024 == 0) progress("light", cycle, 0.5);
+    if (still > longest_wait()) report_deadlock(cycle);
+    if (progress && cycle % kProgressCycles == 0) {
+      progress("light", cycle,
+               static_cast<double>(side_.tally().home() + z_.tally().home()) /
+                   static_cast<double>(result.targets.total));
+    }
   }
-  result.cycles =
-      std::max(side_.last_served() + 2, std::int64_t{2} * (farthest_face(job.source, n_) + 1));
+
+  // What is served is marked two cycles later; the pace goes on to the farthest face.
+  const std::int64_t pace = 2 * (std::int64_t{kmax} + 1);
+  result.cycles = std::max(side_.last_served() + 2, pace);
   result.home_cycles = std::max(side_.tally().home_cycle(), z_.tally().home_cycle());
   result.visits = side_.visits() + z_.visits();
   result.merged = side_.merged();
@@ -45,12 +71,23 @@ LightResult LaneArray::run(const LightJob& job, const Observer& observer,
   result.queue_history = history_.signature();
   result.targets.absorbed = side_.absorbed() + z_.absorbed();
   result.targets.escaped = side_.escaped() + z_.escaped();
-  if (result.targets.absorbed + result.targets.escaped != result.targets.total) {
-    throw std::logic_error(fmt::format("conservation is broken: {} + {} != {}",
-                                       result.targets.absorbed, result.targets.escaped,
-                                       result.targets.total));
-  }
+  check_conservation(result.targets);
   return result;
+}
+
+// Cycles in which nothing may move: until the classes of the farthest cells are there, and a table
+// is filled.
+std::int64_t LaneArray::longest_wait() const { return std::int64_t{2} * n_ + StopTable::kRuns + 8; }
+
+void LaneArray::report_deadlock(std::int64_t cycle) const {
+  std::string cells;
+  for (std::size_t i = 0; i < std::min(side_.active().size(), kNamedCells); ++i) {
+    const auto cell = static_cast<int>(side_.active()[i]);
+    cells += fmt::format(" ({},{}) with {} beams;", cell % n_, cell / n_,
+                         side_.queues()[side_.active()[i]]);
+  }
+  throw std::logic_error(fmt::format("the light is stuck in cycle {}: {} cells block each other:{}",
+                                     cycle, side_.active().size(), cells));
 }
 
 }  // namespace rc2::cycle

@@ -15,10 +15,14 @@ class LaneArray {
  public:
   LaneArray(int n, Columns& columns);
 
-  /// Lights the columns. Throws std::logic_error if targets are lost or beams block each other.
+  /// Lights the columns. Throws Error if L is too fine for n, std::logic_error if targets are lost
+  /// or beams block each other.
   LightResult run(const LightJob& job, const Observer& observer, const Progress& progress);
 
  private:
+  std::int64_t longest_wait() const;
+  [[noreturn]] void report_deadlock(std::int64_t cycle) const;
+
   int n_;
   Columns& columns_;
   SideLane side_;

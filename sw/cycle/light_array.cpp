@@ -86,15 +86,6 @@ bool LightArray::step(std::int64_t cycle) {
   return changed;
 }
 
-void LightArray::check_conservation(const TargetCount& targets) const {
-  if (targets.absorbed + targets.escaped != targets.total) {
-    throw std::logic_error(
-        fmt::format("conservation is broken: {} targets absorbed and {} escaped "
-                    "are not {}",
-                    targets.absorbed, targets.escaped, targets.total));
-  }
-}
-
 void LightArray::report_deadlock(std::int64_t cycle) const {
   std::string cells;
   for (std::size_t i = 0; i < std::min(active_.size(), kNamedCells); ++i) {

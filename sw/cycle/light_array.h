@@ -24,7 +24,6 @@ class LightArray {
 
  private:
   bool step(std::int64_t cycle);
-  void check_conservation(const TargetCount& targets) const;
   [[noreturn]] void report_deadlock(std::int64_t cycle) const;
 
   int n_;

@@ -13,6 +13,9 @@ constexpr ClassSet kEdge = ClassSet{1} << 63;
 
 int sign(int value) { return (value > 0) - (value < 0); }
 
+// The first step's beams go both ways.
+int ways(int offset) { return offset == 0 ? 2 : 1; }
+
 }  // namespace
 
 SideLane::SideLane(int n, Columns& columns)
@@ -37,7 +40,6 @@ void SideLane::start(const LightJob& light, const Classes& classes) {
   }
   for (Cell& cell : cells_) {
     cell.table_made = cell.serving = false;
-    cell.start = 0;
     cell.first = cell.count = {};
   }
   std::fill(held_.begin(), held_.end(), 0);
@@ -50,7 +52,6 @@ void SideLane::start(const LightJob& light, const Classes& classes) {
   Cell& cell = cells_[source];
   const int distance = light.target_distance;
   cell.serving = true;
-  cell.start = 1;
   cell.beam = {{-distance, distance}, ClassSet{1} | kEdge, false};
   held_[source] = 1;
   reach(source);
@@ -66,9 +67,8 @@ Targets SideLane::clip(const Cell& cell) const {
 
 std::int64_t SideLane::weight(const Cell& cell, const ColumnBeam& beam) const {
   const int offset = beam.along_y ? cell.x - light_.source.x : cell.y - light_.source.y;
-  const int of_edge = offset == 0 ? 2 : 1;
   return classes_->targets(steps(cell), offset, beam.u & ~kEdge) +
-         ((beam.u & kEdge) != 0 ? of_edge : 0);
+         ((beam.u & kEdge) != 0 ? ways(offset) : 0);
 }
 
 void SideLane::reach(std::size_t cell) {
@@ -105,7 +105,7 @@ bool SideLane::step(std::int64_t cycle) {
     const Cell& cell = cells_[number];
     held_[number] = cell.count[0] + cell.count[1] + (cell.serving ? 1U : 0U);
     max_queue_ = std::max<std::int64_t>(max_queue_, held_[number]);
-    listed_[number] = held_[number] != 0 || cell.start != 0 ? 1 : 0;
+    listed_[number] = held_[number] != 0 ? 1 : 0;
     if (listed_[number] != 0) active_[kept++] = number;
   }
   active_.resize(kept);
@@ -114,42 +114,46 @@ bool SideLane::step(std::int64_t cycle) {
 
 bool SideLane::serve(std::size_t number, std::int64_t cycle) {
   Cell& cell = cells_[number];
-  const int k = steps(cell);
-  if (!cell.serving || cycle < 2 * k + 2) return false;
-  if (k == 0) {
-    if (!send(cell, cell.beam, cell.beam.v, cycle)) return false;
-    cell.serving = false;
-    if (cell.start == 1) {
-      cell.start = 0;
-      cell.serving = true;
-      cell.beam.along_y = true;
-      cell.beam.u = 1;
-    }
-  } else {
-    if (!cell.table_made) {
-      cell.table_made = true;
-      const int z = light_.source.z;
-      cell.table.fill(columns_, number, slope(cell), z, std::max(0, z - k), std::min(n_ - 1, z + k),
-                      k == 1 ? 1 : 2 * k - 2);
-    }
-    if (cycle < cell.table.ready()) return false;
-    if (!cell.table.knows(cell.beam.v.min)) {
-      const int z = light_.source.z;
-      cell.table.fill(columns_, number, slope(cell), z, z + slope(cell).offset(cell.beam.v.min),
-                      std::min(n_ - 1, z + k), cycle + 2);
-      return false;
-    }
-    const StopTable::Passage passage = cell.table.pass(cell.beam.v);
-    const Targets free = passage.free;
-    if (!free.none() && !send(cell, cell.beam, free, cycle)) return false;
-    absorb(number, cell.beam, {cell.beam.v.min, std::min(passage.end, free.min - 1)}, cycle);
-    absorb(number, cell.beam,
-           {std::max(cell.beam.v.min, std::max(free.min, free.max + 1)), passage.end}, cycle);
-    cell.beam.v.min = passage.end + 1;
-    cell.serving = !cell.beam.v.none();
+  if (!cell.serving || cycle < here(cell)) return false;
+  const bool served = steps(cell) == 0 ? serve_source(cell, cycle) : serve_column(number, cycle);
+  if (served) {
+    ++visits_;
+    last_served_ = cycle;
   }
-  ++visits_;
-  last_served_ = cycle;
+  return served;
+}
+
+// The light's own voxel is free; its beams along x leave first, then those along y.
+bool SideLane::serve_source(Cell& cell, std::int64_t cycle) {
+  if (!send(cell, cell.beam, cell.beam.v, cycle)) return false;
+  cell.serving = !cell.beam.along_y;
+  cell.beam.along_y = true;
+  cell.beam.u = 1;
+  return true;
+}
+
+bool SideLane::serve_column(std::size_t number, std::int64_t cycle) {
+  Cell& cell = cells_[number];
+  const int k = steps(cell), z = light_.source.z;
+  const auto fill_table = [&](int first, std::int64_t when) {
+    cell.table.fill(columns_, number, slope(cell), z, first, std::min(n_ - 1, z + k), when);
+  };
+  if (!cell.table_made) {
+    cell.table_made = true;
+    fill_table(std::max(0, z - k), k == 1 ? 1 : 2 * k - 2);
+  }
+  if (cycle < cell.table.ready()) return false;
+  const Targets beam = cell.beam.v;
+  if (!cell.table.knows(beam.min)) {
+    fill_table(z + slope(cell).offset(beam.min), cycle + 2);
+    return false;
+  }
+  const auto [free, end] = cell.table.pass(beam);
+  if (!free.none() && !send(cell, cell.beam, free, cycle)) return false;
+  absorb(number, {beam.min, std::min(end, free.min - 1)}, cycle);
+  absorb(number, {std::max(free.min, free.max + 1), end}, cycle);
+  cell.beam.v.min = end + 1;
+  cell.serving = !cell.beam.v.none();
   return true;
 }
 
@@ -189,17 +193,15 @@ bool SideLane::send(const Cell& cell, const ColumnBeam& beam, const Targets& fre
     arrivals_.resize(before);
     return false;
   }
-  const std::int64_t faces = ahead == 0 ? 2 : 1;
-  escape(cell, (faces * weight(cell, beam) - sent) * free.count(), cycle);
+  escape(cell, (ways(ahead) * weight(cell, beam) - sent) * free.count(), cycle);
   return true;
 }
 
-void SideLane::absorb(std::size_t number, const ColumnBeam& beam, Targets targets,
-                      std::int64_t cycle) {
+void SideLane::absorb(std::size_t number, Targets targets, std::int64_t cycle) {
   if (targets.none()) return;
   const Cell& cell = cells_[number];
   const Slope along = slope(cell);
-  const std::int64_t each = weight(cell, beam);
+  const std::int64_t each = weight(cell, cell.beam);
   int z = along.offset(targets.min);
   while (targets.min <= targets.max) {
     const int last = std::min(targets.max, along.lowest(z + 1) - 1);
@@ -221,7 +223,7 @@ void SideLane::escape(const Cell& cell, std::int64_t targets, std::int64_t cycle
 
 bool SideLane::load(std::size_t number, std::int64_t cycle) {
   Cell& cell = cells_[number];
-  if (cell.serving || cycle < 2 * steps(cell) + 2 || (cell.count[0] == 0 && cell.count[1] == 0)) {
+  if (cell.serving || cycle < here(cell) || (cell.count[0] == 0 && cell.count[1] == 0)) {
     return false;
   }
   const auto head = [&](From from) -> const ColumnBeam& {

@@ -60,7 +60,6 @@ class SideLane {
     std::uint16_t x, y;
     bool table_made;
     bool serving;
-    std::uint8_t start;  // the source's beams that are still to come
     std::array<std::uint16_t, 2> first, count;
     ColumnBeam beam;  // being served
     StopTable table;
@@ -72,6 +71,8 @@ class SideLane {
   };
 
   int steps(const Cell& cell) const;
+  // The first cycle in which the cell knows the classes of the beams that come by.
+  std::int64_t here(const Cell& cell) const { return 2 * steps(cell) + 2; }
   Slope slope(const Cell& cell) const { return {steps(cell), light_.target_distance}; }
   Targets clip(const Cell& cell) const;
   std::int64_t weight(const Cell& cell, const ColumnBeam& beam) const;
@@ -80,8 +81,10 @@ class SideLane {
   }
   void reach(std::size_t cell);
   bool serve(std::size_t number, std::int64_t cycle);
+  bool serve_source(Cell& cell, std::int64_t cycle);
+  bool serve_column(std::size_t number, std::int64_t cycle);
   bool send(const Cell& cell, const ColumnBeam& beam, const Targets& free, std::int64_t cycle);
-  void absorb(std::size_t number, const ColumnBeam& beam, Targets targets, std::int64_t cycle);
+  void absorb(std::size_t number, Targets targets, std::int64_t cycle);
   bool load(std::size_t number, std::int64_t cycle);
   void escape(const Cell& cell, std::int64_t targets, std::int64_t cycle);
 

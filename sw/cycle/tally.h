@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "sw/machine/machine.h"
+
 namespace rc2::cycle {
 
 /// The registers on the way home do nothing but wait, so an arrival's time is known when it starts.
@@ -24,5 +26,8 @@ class Tally {
  private:
   std::int64_t home_ = 0, home_cycle_ = 0;
 };
+
+/// Throws std::logic_error unless every target came home.
+void check_conservation(const TargetCount& targets);
 
 }  // namespace rc2::cycle

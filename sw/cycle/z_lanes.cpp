@@ -13,7 +13,7 @@ int sign(int value) { return (value > 0) - (value < 0); }
 
 ZLanes::ZLanes(int n, Columns& columns) : n_(n), columns_(columns) {}
 
-ClassSet* ZLanes::rows(std::vector<ClassSet>& front, int x, int y) {
+ClassSet* ZLanes::rows(std::vector<ClassSet>& front, int x, int y) const {
   return front.data() + cell_number(x, y, n_) * height_;
 }
 
@@ -69,43 +69,37 @@ void ZLanes::enter(const Box& box, int step, int z, std::int64_t cycle) {
   }
 }
 
-// Counts what leaves the cube in the step after this one.
+// Counts what leaves the cube in the step after this one: all of it, or what goes beyond a side.
 void ZLanes::leave(const Box& box, int step, bool all, std::int64_t cycle) {
   for (int y = box.y0; y <= box.y1; ++y) {
     for (int x = box.x0; x <= box.x1; ++x) {
-      if (!all && x != 0 && y != 0 && x != n_ - 1 && y != n_ - 1) continue;
-      const int dx = x - light_.source.x, dy = y - light_.source.y;
+      const bool at_side = x == 0 || y == 0 || x == n_ - 1 || y == n_ - 1;
+      if (!all && !at_side) continue;
       const ClassSet* const matrix = rows(now_, x, y);
+      const int dx = x - light_.source.x, dy = y - light_.source.y;
       std::int64_t gone = targets(step, dx, dy, matrix);
       if (gone == 0) continue;
       if (!all) {
-        const Classes::Cut &u = classes_->cut(step, dx), &v = classes_->cut(step, dy);
-        const auto part = [&](const Classes::Cut& cut, int to, ClassSet set) {
-          return to == 0 ? staying(cut, set) : (to < 0 ? cut.down : cut.up) ? leaving(cut, set) : 0;
-        };
-        const auto list = [&](int d, int to) { return d + to; };
-        for (int to_x = -1; to_x <= 1; ++to_x) {
-          if (x + to_x < 0 || x + to_x >= n_) continue;
-          if (to_x != 0 && dx != 0 && sign(dx) != to_x) continue;
-          for (int to_y = -1; to_y <= 1; ++to_y) {
-            if (y + to_y < 0 || y + to_y >= n_) continue;
-            if (to_y != 0 && dy != 0 && sign(dy) != to_y) continue;
-            const auto come = [&](int d, int to) {
-              return to == 0 ? classes_->cut(step + 1, d).come : 0;
-            };
-            for (std::size_t i = 0; i < u.count; ++i) {
-              const ClassSet row = part(u, to_x, ClassSet{1} << i) << come(dx, to_x);
-              const ClassSet bits = part(v, to_y, matrix[i]) << come(dy, to_y);
-              gone -= classes_->targets(step + 1, list(dx, to_x), row) *
-                      classes_->targets(step + 1, list(dy, to_y), bits);
-            }
-          }
+        for (std::size_t i = 0; i < classes_->cut(step, dx).count; ++i) {
+          gone -= kept(step, x, dx, ClassSet{1} << i) * kept(step, y, dy, matrix[i]);
         }
       }
       escaped_ += gone;
       tally_.finish(cycle, x, y, gone);
     }
   }
+}
+
+// Targets of some classes of a list whose rays are in the cube after the next step.
+std::int64_t ZLanes::kept(int step, int at, int offset, ClassSet set) const {
+  const Classes::Cut& cut = classes_->cut(step, offset);
+  std::int64_t sum = classes_->targets(step + 1, offset,
+                                       staying(cut, set) << classes_->cut(step + 1, offset).come);
+  for (const int way : {-1, 1}) {
+    const bool outward = way < 0 ? cut.down : cut.up, inside = at + way >= 0 && at + way < n_;
+    if (outward && inside) sum += classes_->targets(step + 1, offset + way, leaving(cut, set));
+  }
+  return sum;
 }
 
 void ZLanes::advance(const Box& from, const Box& to, int step) {

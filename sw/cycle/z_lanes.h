@@ -35,9 +35,10 @@ class ZLanes {
   void enter(const Box& box, int step, int z, std::int64_t cycle);
   void advance(const Box& from, const Box& to, int step);
   void leave(const Box& box, int step, bool all, std::int64_t cycle);
-  std::int64_t targets(int step, int dx, int dy, const ClassSet* rows) const;
+  std::int64_t targets(int step, int dx, int dy, const ClassSet* matrix) const;
+  std::int64_t kept(int step, int at, int offset, ClassSet set) const;
 
-  ClassSet* rows(std::vector<ClassSet>& front, int x, int y);
+  ClassSet* rows(std::vector<ClassSet>& front, int x, int y) const;
 
   int n_;
   Columns& columns_;
