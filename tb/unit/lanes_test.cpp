@@ -41,6 +41,7 @@ std::vector<std::vector<int>> same_ways(const std::map<int, Path>& paths, int st
       ways[start_of(path, step)].push_back(target);
   }
   std::vector<std::vector<int>> classes;
+  classes.reserve(ways.size());
   for (const auto& [path, targets] : ways) classes.push_back(targets);
   std::sort(classes.begin(), classes.end(),
             [](const auto& a, const auto& b) { return std::abs(a.front()) < std::abs(b.front()); });
