@@ -11,6 +11,7 @@
 ##             the docs show them
 ##   oracle    the voxels of 1,500,000 facets against exact arithmetic, as the docs show it
 ##   systemc   the SystemC test benches and the example TLM-2.0 platform, waveforms under out/systemc/
+##   bench-diffusion  light: cycles by scene, n, source and mode, as the docs show them
 ##   bench-light  light: what differs from the continuous scene, by rule, as the docs show it
 ##   test      every test; the last line is their summary
 ##   lint      verilator -Wall, yosys on every module alone, clang-format, clang-tidy
@@ -80,7 +81,7 @@ cmake_build := cmake --build build -j $(jobs) --target
 test_sizes := 4 5 8 16
 known_sizes := $(test_sizes) 32
 
-.PHONY: help setup build sim thesis chapter2 bench-load bench-light oracle systemc test lint sanitize rtl format clean
+.PHONY: help setup build sim thesis chapter2 bench-load bench-diffusion bench-light oracle systemc test lint sanitize rtl format clean
 .NOTPARALLEL:
 
 help:
@@ -124,6 +125,9 @@ oracle: build/build.ninja
 systemc: build/build.ninja
 	$(cmake_build) rc2 rc2_platform systemc_cell systemc_machine rtl_n16
 	@scripts/systemc '$(OUT)/systemc'
+
+bench-diffusion: build
+	@scripts/bench-diffusion '$(OUT)/bench-diffusion'
 
 bench-light: build
 	@scripts/bench-light '$(OUT)/bench-light'

@@ -73,6 +73,17 @@ Lamp parse_lamp(const std::string& text, int n) {
   return lamp;
 }
 
+}  // namespace
+
+const VoxelRecord* find_voxel(const VoxelMemory& voxels, glm::ivec3 at) {
+  const auto found = std::lower_bound(voxels.begin(), voxels.end(), at,
+                                      [](const VoxelRecord& voxel, glm::ivec3 wanted) {
+                                        return std::tie(voxel.at.z, voxel.at.y, voxel.at.x) <
+                                               std::tie(wanted.z, wanted.y, wanted.x);
+                                      });
+  return found != voxels.end() && found->at == at ? &*found : nullptr;
+}
+
 // Looks at ever larger boxes around the place; a box of half side r holds all voxels at most r
 // away.
 std::optional<glm::ivec3> nearest_free(const VoxelMemory& voxels, glm::ivec3 place, int n) {
@@ -94,17 +105,6 @@ std::optional<glm::ivec3> nearest_free(const VoxelMemory& voxels, glm::ivec3 pla
     }
   }
   return best;
-}
-
-}  // namespace
-
-const VoxelRecord* find_voxel(const VoxelMemory& voxels, glm::ivec3 at) {
-  const auto found = std::lower_bound(voxels.begin(), voxels.end(), at,
-                                      [](const VoxelRecord& voxel, glm::ivec3 wanted) {
-                                        return std::tie(voxel.at.z, voxel.at.y, voxel.at.x) <
-                                               std::tie(wanted.z, wanted.y, wanted.x);
-                                      });
-  return found != voxels.end() && found->at == at ? &*found : nullptr;
 }
 
 Lamps choose_lamps(const std::vector<std::string>& asked, const scene::Scene& scene, int n) {

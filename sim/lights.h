@@ -1,6 +1,7 @@
 // From the lights of the command line or the scene to source voxels.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,9 @@ Lamps choose_lamps(const std::vector<std::string>& asked, const scene::Scene& sc
 /// there is none, then throws Error if a lamp stands in an occupied voxel. `voxels` is what the
 /// machine loaded.
 void place_lamps(Lamps& lamps, const VoxelMemory& voxels, int n);
+
+/// The free voxel nearest to a place; none if all are occupied.
+std::optional<glm::ivec3> nearest_free(const VoxelMemory& voxels, glm::ivec3 place, int n);
 
 /// The record of an occupied voxel, or null.
 const VoxelRecord* find_voxel(const VoxelMemory& voxels, glm::ivec3 at);

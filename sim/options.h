@@ -40,9 +40,7 @@ struct RunOptions : SceneOptions {
   std::int64_t waves_from = 0;
   std::int64_t waves_cycles = 10000;
 
-  LightMode light_mode() const {
-    return mode == "thesis" ? LightMode::thesis : LightMode::fast;
-  }
+  LightMode light_mode() const { return parse_light_mode(mode); }
   LightRule rule_of_light() const { return parse_light_rule(light_rule); }
   int distance() const { return target_distance.value_or(2 * n); }
 

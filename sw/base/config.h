@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <string>
 
 namespace rc2 {
 
@@ -24,6 +25,11 @@ constexpr const char* to_string(LightMode mode) {
   return mode == LightMode::thesis ? "thesis" : "fast";
 }
 
+/// Of one of these words.
+inline LightMode parse_light_mode(const std::string& word) {
+  return word == to_string(LightMode::thesis) ? LightMode::thesis : LightMode::fast;
+}
+
 /// Cycles that light takes from a cell to the next where nothing holds it up.
 constexpr int hop_stages(LightMode mode) { return mode == LightMode::thesis ? 3 : 2; }
 
@@ -36,7 +42,7 @@ struct MachineConfig {
   int feeders = 1;        ///< row feeders that the host port serves; a power of two <= n
   bool layers = true;     ///< columns know shown, inside and thin voxels, not only armour
   LightMode mode = LightMode::fast;
-  bool counts = true;  ///< read_light() says how many targets arrived, not only if any did
+  bool counts = true;           ///< read_light() says how many targets arrived, not only if any did
   bool accurate_light = false;  ///< knows LightRule::accurate, which needs the layers
 };
 

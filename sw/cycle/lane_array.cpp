@@ -17,6 +17,8 @@ constexpr std::size_t kNamedCells = 8;
 // Classes that fit in a set beside the one of x beams alone (SideLane).
 constexpr int kMostClasses = 63;
 
+}  // namespace
+
 int farthest_face(const glm::ivec3& source, int n) {
   int steps = 0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -24,8 +26,6 @@ int farthest_face(const glm::ivec3& source, int n) {
   }
   return steps;
 }
-
-}  // namespace
 
 LaneArray::LaneArray(int n, Columns& columns)
     : n_(n), columns_(columns), side_(n, columns), z_(n, columns), history_(columns.size()) {}

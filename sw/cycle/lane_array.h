@@ -8,6 +8,9 @@
 
 namespace rc2::cycle {
 
+/// Steps from a voxel to the farthest face of the n-cube: no light takes more.
+int farthest_face(const glm::ivec3& source, int n);
+
 class LaneArray {
  public:
   LaneArray(int n, Columns& columns);

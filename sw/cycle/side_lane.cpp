@@ -175,7 +175,7 @@ bool SideLane::send(const Cell& cell, const ColumnBeam& beam, const Targets& fre
     const From from = sideways == 0 ? kStraight : kDiagonal;
     if (cells_[to].count[from] == depth_) return false;
     if (from == kStraight) u <<= classes_->cut(k + 1, aside).come;
-    arrivals_.push_back({to, from, {free, u, beam.along_y}});
+    arrivals_.push_back({cell_number(cell.x, cell.y, n_), to, from, {free, u, beam.along_y}});
     sent += weight(cells_[to], arrivals_.back().beam);
     return true;
   };

@@ -34,6 +34,12 @@ class SideLane {
   /// One cycle of all cells; false if nothing moved.
   bool step(std::int64_t cycle);
 
+  /// Calls visit(from, to), numbers of cells, for each beam that was sent in the last cycle.
+  template <typename Visit>
+  void for_each_sent(Visit visit) const {
+    for (const Arrival& arrival : arrivals_) visit(arrival.sender, arrival.cell);
+  }
+
   /// Beams in each cell.
   const std::vector<std::uint32_t>& queues() const { return held_; }
 
@@ -59,7 +65,7 @@ class SideLane {
     StopTable table;
   };
   struct Arrival {
-    std::size_t cell;
+    std::size_t sender, cell;
     From from;
     ColumnBeam beam;
   };

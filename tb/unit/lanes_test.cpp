@@ -9,6 +9,7 @@
 #include "sw/cycle/cell.h"
 #include "sw/cycle/classes.h"
 #include "sw/cycle/cycle_machine.h"
+#include "sw/cycle/lane_array.h"
 #include "sw/cycle/stop_table.h"
 #include "sw/lines/digital_line.h"
 #include "tb/unit/random_packets.h"
@@ -36,14 +37,14 @@ Path start_of(const Path& path, int step) { return {path.begin(), path.begin() +
 std::vector<std::vector<int>> same_ways(const std::map<int, Path>& paths, int step, int offset) {
   std::map<Path, std::vector<int>> ways;
   for (const auto& [target, path] : paths) {
-    if (path[static_cast<std::size_t>(step)] == offset) ways[start_of(path, step)].push_back(target);
+    if (path[static_cast<std::size_t>(step)] == offset)
+      ways[start_of(path, step)].push_back(target);
   }
   std::vector<std::vector<int>> classes;
   classes.reserve(ways.size());
   for (const auto& [path, targets] : ways) classes.push_back(targets);
-  std::sort(classes.begin(), classes.end(), [](const auto& a, const auto& b) {
-    return std::abs(a.front()) < std::abs(b.front());
-  });
+  std::sort(classes.begin(), classes.end(),
+            [](const auto& a, const auto& b) { return std::abs(a.front()) < std::abs(b.front()); });
   return classes;
 }
 
@@ -54,8 +55,8 @@ TEST(Classes, AreTheTargetsThatHaveGoneTheSameWay) {
     const Classes classes(distance, kSteps);
     for (int step = 0; step <= kSteps; ++step) {
       for (int offset = -step; offset <= step; ++offset) {
-        SCOPED_TRACE(testing::Message() << "L " << distance << " step " << step << " offset "
-                                        << offset);
+        SCOPED_TRACE(testing::Message()
+                     << "L " << distance << " step " << step << " offset " << offset);
         const auto ways = same_ways(paths, step, offset);
         const Classes::Cut& cut = classes.cut(step, offset);
         ASSERT_EQ(cut.count, ways.size());
@@ -172,11 +173,6 @@ MachineConfig fast(int n) {
   config.n = n;
   config.max_distance = 4 * n;
   return config;
-}
-
-int farthest_face(const glm::ivec3& source, int n) {
-  return std::max({source.x, source.y, source.z, n - 1 - source.x, n - 1 - source.y,
-                   n - 1 - source.z});
 }
 
 // The empty cube, any source: two cycles a step to the farthest face, and at most eight.
