@@ -12,6 +12,7 @@
 ##   oracle    the voxels of 1,500,000 facets against exact arithmetic, as the docs show it
 ##   systemc   the SystemC test benches and the example TLM-2.0 platform, waveforms under out/systemc/
 ##   bench-light  light: what differs from the continuous scene, by rule, as the docs show it
+##   area      what a cell costs: area, clock, area times time, as the docs show it
 ##   test      every test; the last line is their summary
 ##   lint      verilator -Wall, yosys on every module alone, clang-format, clang-tidy
 ##   sanitize  the software's tests with address and undefined-behaviour sanitizers
@@ -80,7 +81,7 @@ cmake_build := cmake --build build -j $(jobs) --target
 test_sizes := 4 5 8 16
 known_sizes := $(test_sizes) 32
 
-.PHONY: help setup build sim thesis chapter2 bench-load bench-light oracle systemc test lint sanitize rtl format clean
+.PHONY: help setup build sim thesis chapter2 bench-load bench-light area oracle systemc test lint sanitize rtl format clean
 .NOTPARALLEL:
 
 help:
@@ -116,6 +117,10 @@ chapter2: build
 
 bench-load: build
 	@scripts/bench-load '$(OUT)/bench-load'
+
+area: build
+	@scripts/area '$(OUT)/area'
+	@scripts/area-figures docs
 
 oracle: build/build.ninja
 	$(cmake_build) oracle_run
