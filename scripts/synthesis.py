@@ -23,7 +23,8 @@ INSTRUMENTS = {"rc2_cell_thesis": ("u_tally", "u_arrivals")}
 
 
 def run(words, folder):
-    done = subprocess.run(words, cwd=folder, capture_output=True, text=True, check=False)
+    done = subprocess.run(words, cwd=folder, stdin=subprocess.DEVNULL, capture_output=True, text=True,
+                          check=False)
     if done.returncode:
         raise SystemExit(f"{words[0]} failed in {folder}:\n{(done.stdout + done.stderr)[-2000:]}")
     return done.stdout
@@ -124,9 +125,11 @@ exit
         for name, pins in re.findall(r"DFFPOSX1 (\S+) \(\n(.*?)\n  \);", open(f"{part.base}.v").read(), re.DOTALL):
             names[part.top, name] = re.search(r"\.Q\(\\?(.*?) *\)", pins).group(1).replace(" ", "")
 
+    # Yosys makes a register without a name only where it takes a FIFO's read address into the memory.
     def register(end):
         *way, name = end.split("/")
         of = next((part.top for part in parts if way), design.top)
-        return "/".join([*way, names.get((of, name), name)])
+        name = names.get((of, name), name)
+        return "/".join([*way, "a FIFO's read address" if re.match(r"_\d+_", name) else name])
 
     return {"ns": round(20 - float(slack.group(1)), 2), "from": register(ends[0]), "to": register(ends[1])}
