@@ -13,6 +13,7 @@
 ##   systemc   the SystemC test benches and the example TLM-2.0 platform, waveforms under out/systemc/
 ##   bench-diffusion  light: cycles by scene, n, source and mode, as the docs show them
 ##   bench-light  light: what differs from the continuous scene, by rule, as the docs show it
+##   area      what a cell costs: area, clock, area times time, as the docs show it
 ##   test      every test; the last line is their summary
 ##   lint      verilator -Wall, yosys on every module alone, clang-format, clang-tidy
 ##   sanitize  the software's tests with address and undefined-behaviour sanitizers
@@ -81,7 +82,7 @@ cmake_build := cmake --build build -j $(jobs) --target
 test_sizes := 4 5 8 16
 known_sizes := $(test_sizes) 32
 
-.PHONY: help setup build sim thesis chapter2 bench-load bench-diffusion bench-light oracle systemc test lint sanitize rtl format clean
+.PHONY: help setup build sim thesis chapter2 bench-load bench-diffusion bench-light area oracle systemc test lint sanitize rtl format clean
 .NOTPARALLEL:
 
 help:
@@ -117,6 +118,10 @@ chapter2: build
 
 bench-load: build
 	@scripts/bench-load '$(OUT)/bench-load'
+
+area: build
+	@scripts/area '$(OUT)/area'
+	@scripts/area-figures docs
 
 oracle: build/build.ninja
 	$(cmake_build) oracle_run
