@@ -85,13 +85,13 @@ void declare_run_options(CLI::App& command, RunOptions& options) {
   command.add_option("--target-distance", options.target_distance,
                      "Distance L of the virtual faces that light aims at, in voxels (default 2n)");
   command
-      .add_option("--mode", options.mode,
-                  "How light spreads: fast, in lanes; thesis, voxel by voxel (4.4). What it reaches "
-                  "is the same")
+      .add_option(
+          "--mode", options.mode,
+          "How light spreads: fast, in lanes; thesis, voxel by voxel (4.4). What it reaches "
+          "is the same")
       ->check(CLI::IsMember({"fast", "thesis"}))
       ->capture_default_str();
-  command.add_option("--fa", options.fa, "Beams that a cell has room for")
-      ->capture_default_str();
+  command.add_option("--fa", options.fa, "Beams that a cell has room for")->capture_default_str();
   command.add_option("--out", options.out, "Folder of picture.png, picture.exr and report.json")
       ->type_name("DIR")
       ->capture_default_str();

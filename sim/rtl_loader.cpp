@@ -20,9 +20,8 @@ std::unique_ptr<Machine> make_rtl_machine(const std::string& name, const WaveWin
   const auto program = std::filesystem::read_symlink("/proc/self/exe");
   const auto library = program.parent_path() / "rtl" / fmt::format("librc2_rtl_{}.so", name);
   if (!std::filesystem::exists(library)) {
-    throw Error(
-        fmt::format("{}: there is no such Verilated machine; build it with `{}`",
-                    library.string(), how_to_build(name)));
+    throw Error(fmt::format("{}: there is no such Verilated machine; build it with `{}`",
+                            library.string(), how_to_build(name)));
   }
   // The library stays loaded to the end of the program: the machine's code lives in it.
   void* handle = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);

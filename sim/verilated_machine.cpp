@@ -92,8 +92,8 @@ class VerilatedMachine final : public Machine {
     write_register(kSourceZ, static_cast<std::uint32_t>(job.source.z));
     write_register(kDistance, static_cast<std::uint32_t>(job.target_distance));
     write_register(kFa, static_cast<std::uint32_t>(job.fa));
-    write_register(kInverse, inverse_of(job.target_distance,
-                                        static_cast<int>(read_register(kInverseBits))));
+    write_register(kInverse,
+                   inverse_of(job.target_distance, static_cast<int>(read_register(kInverseBits))));
     LightResult result;
     result.targets.total = total_targets(job.target_distance);
     write_register(kTargets, static_cast<std::uint32_t>(result.targets.total));

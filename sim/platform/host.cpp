@@ -89,8 +89,8 @@ LightResult Host::light(const LightJob& job, const Progress& /*progress*/) {
   write_register(kDistance, static_cast<std::uint32_t>(job.target_distance));
   write_register(kFa, static_cast<std::uint32_t>(job.fa));
   write_register(kTargets, static_cast<std::uint32_t>(result.targets.total));
-  write_register(kInverse, inverse_of(job.target_distance,
-                                      static_cast<int>(read_register(kInverseBits))));
+  write_register(kInverse,
+                 inverse_of(job.target_distance, static_cast<int>(read_register(kInverseBits))));
   write_register(kCommand, kCommandStart);
   while ((read_register(kStatus) & (kStatusBusy | kStatusHome)) != kStatusHome) {
   }

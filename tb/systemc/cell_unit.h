@@ -1,5 +1,5 @@
-// One cell of the thesis (rtl/rc2_cell_thesis.sv) with its loading and its light, as RTL and as cycle
-// model: row pipe, eight links, and what the array around it tells it.
+// One cell of the thesis (rtl/rc2_cell_thesis.sv) with its loading and its light, as RTL and as
+// cycle model: row pipe, eight links, and what the array around it tells it.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
-// One cell of the cycle model behind the pins of rc2_cell_thesis: the stage of the row pipe with its
-// loading units, and the cell's router and beam engine out of a whole array's, whose other cells
-// stay empty. The model has no readback of its own; here it is a list of words.
+// One cell of the cycle model behind the pins of rc2_cell_thesis: the stage of the row pipe with
+// its loading units, and the cell's router and beam engine out of a whole array's, whose other
+// cells stay empty. The model has no readback of its own; here it is a list of words.
 #include <deque>
 
 #include "sw/cycle/cell.h"

@@ -1,5 +1,5 @@
-// rc2_cell_thesis through Verilator. The array's broadcasts come from a command stream, and the targets
-// that come home, which nothing can hold up, wait in a queue of their own.
+// rc2_cell_thesis through Verilator. The array's broadcasts come from a command stream, and the
+// targets that come home, which nothing can hold up, wait in a queue of their own.
 #include <deque>
 
 #include "Vrc2_cell_thesis.h"
