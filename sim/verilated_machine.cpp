@@ -137,7 +137,7 @@ class VerilatedMachine final : public Machine {
                                          result.targets.total));
     }
     // Of each cell its visits and, above the deepest queue, the signature of all its queues.
-    const int depth_bits = bits_for(config_.max_fa + 3);
+    const int depth_bits = queue_bits(config_.max_fa);
     QueueHistory history(static_cast<std::size_t>(config_.n) * static_cast<std::size_t>(config_.n));
     for (const auto& [at, value] : read_back(ReadWhat::counters)) {
       if (at.z == 0) {

@@ -43,7 +43,7 @@ void list_cell(SaveFile& list, const MachineConfig& config, int x, int y, const 
                                        thesis ? 'm' : 'l', y + 1, x + 1);
   list.title(fmt::format("Cell ({}, {}): {}", x, y, what));
   list.signal(kBits, cell + "busy_o", 1);
-  list.signal(kDecimal, cell + "queue", bits_for(config.max_fa + 3));
+  list.signal(kDecimal, cell + "queue", queue_bits(config.max_fa));
   if (thesis) {
     for (const char* field : {"dir", "z"}) {
       list.signal(kDecimal, cell + "u_diffuser.head." + field, field[0] == 'd' ? 3 : coordinate);

@@ -21,40 +21,18 @@ module rc2_ymed (
   localparam int unsigned FracW = ProdW + $clog2(2 * N);                    // S
   localparam int unsigned FullW = ProdW + FracW;
 
-  // The reciprocals of 2*(k+1) as one constant, entry k+1 from bit (k+1)*FracW on. Entry 0 is 0.
-  function automatic logic [(N+1)*FracW-1:0] reciprocals();
-    logic [FracW-1:0] quotient;
-    logic [FracW-1:0] rest, divisor;
-    integer k1, i;
-    begin
-      reciprocals = 0;
-      divisor = 0;
-      for (k1 = 1; k1 <= N; k1 = k1 + 1) begin
-        // ceil(2^FracW / (2*k1)) by long division, so that no tool's integers limit it.
-        divisor = divisor + 2;
-        quotient = 0;
-        rest = 1;
-        for (i = 0; i < FracW; i = i + 1) begin
-          rest = rest << 1;
-          quotient = quotient << 1;
-          if (rest >= divisor) begin
-            rest = rest - divisor;
-            quotient = quotient + 1;
-          end
-        end
-        if (rest != 0) quotient = quotient + 1;
-        reciprocals[k1*FracW+:FracW] = quotient;
-      end
-    end
-  endfunction
-  localparam logic [(N+1)*FracW-1:0] Reciprocals = reciprocals();
-
   logic [FracW-1:0] reciprocal;
   logic [ProdW-1:0] product;
   logic [FullW-1:0] scaled;
   logic exact;
 
-  assign reciprocal = Reciprocals[step_i*FracW+:FracW];
+  rc2_half #(
+      .Most (N),
+      .FracW(FracW)
+  ) u_half (
+      .k_i   (step_i),
+      .half_o(reciprocal)
+  );
   assign product = ProdW'({offset_i, 1'b1}) * ProdW'(distance_i);
   assign scaled = FullW'(product) * FullW'(reciprocal);
   assign exact = (scaled[FracW-1:ProdW] == 0);

@@ -100,6 +100,9 @@ constexpr int side_bits(int n, int f) { return coordinate_bits(n) + f + 2; }
 /// Bits of a side's push: half of two edges, and what rounding adds.
 constexpr int push_bits(int n, int f) { return coordinate_bits(n) + f + 1; }
 
+/// Bits of the number of beams in a cell: FA, or two FIFOs of half of it and one that is served.
+constexpr int queue_bits(int max_fa) { return bits_for(max_fa + 3LL); }
+
 /// Fraction bits of 1/L, as light in lanes wants it.
 constexpr int inverse_bits(const MachineConfig& config) {
   return coordinate_bits(config.n) + 2 * bits_for(config.max_distance + 1LL) + 2;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <glm/common.hpp>
 
 #include "sw/cycle/cell.h"
 
@@ -10,8 +11,6 @@ namespace {
 
 // The one target that only x beams have: U = L and U = -L, a class of its own on the diagonals.
 constexpr ClassSet kEdge = ClassSet{1} << 63;
-
-int sign(int value) { return (value > 0) - (value < 0); }
 
 // The first step's beams go both ways.
 int ways(int offset) { return offset == 0 ? 2 : 1; }
@@ -181,10 +180,10 @@ bool SideLane::send(const Cell& cell, const ColumnBeam& beam, const Targets& fre
   };
   bool all = true;
   for (const int forward : {-1, 1}) {
-    if (ahead != 0 && sign(ahead) != forward) continue;
+    if (ahead != 0 && glm::sign(ahead) != forward) continue;
     all = all && child(forward, 0, staying(cut, plain));
     for (const int sideways : {-1, 1}) {
-      if (aside != 0 && sign(aside) != sideways) continue;
+      if (aside != 0 && glm::sign(aside) != sideways) continue;
       const bool leaves = sideways < 0 ? cut.down : cut.up;
       all = all && child(forward, sideways, (leaves ? leaving(cut, plain) : 0) | edge);
     }

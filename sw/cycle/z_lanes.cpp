@@ -1,16 +1,11 @@
 #include "sw/cycle/z_lanes.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 
 #include "sw/cycle/cell.h"
 
 namespace rc2::cycle {
-namespace {
-
-int sign(int value) { return (value > 0) - (value < 0); }
-
-}  // namespace
-
 ZLanes::ZLanes(int n, Columns& columns) : n_(n), columns_(columns) {}
 
 ClassSet* ZLanes::rows(std::vector<ClassSet>& front, int x, int y) const {
@@ -104,20 +99,20 @@ std::int64_t ZLanes::kept(int step, int at, int offset, ClassSet set) const {
 
 void ZLanes::advance(const Box& from, const Box& to, int step) {
   for (int y = to.y0; y <= to.y1; ++y) {
-    const int dy = y - light_.source.y, inner_y = y - sign(dy);
+    const int dy = y - light_.source.y, inner_y = y - glm::sign(dy);
     const Classes::Cut& v = classes_->cut(step + 1, dy);
     const bool own_y = from.y0 <= y && y <= from.y1;
     for (int x = to.x0; x <= to.x1; ++x) {
-      const int dx = x - light_.source.x, inner_x = x - sign(dx);
+      const int dx = x - light_.source.x, inner_x = x - glm::sign(dx);
       const Classes::Cut& u = classes_->cut(step + 1, dx);
       ClassSet* const matrix = rows(next_, x, y);
       for (int i = 0; i < u.count; ++i) {
         const bool comes = i < u.come;
         const int at = comes ? inner_x : x;
-        const int row = comes ? classes_->cut(step, dx - sign(dx)).leave + i : i - u.come;
+        const int row = comes ? classes_->cut(step, dx - glm::sign(dx)).leave + i : i - u.come;
         ClassSet bits = 0;
         if (v.come != 0) {
-          bits = leaving(classes_->cut(step, dy - sign(dy)), rows(now_, at, inner_y)[row]);
+          bits = leaving(classes_->cut(step, dy - glm::sign(dy)), rows(now_, at, inner_y)[row]);
         }
         if (own_y) bits |= staying(classes_->cut(step, dy), rows(now_, at, y)[row]) << v.come;
         matrix[i] = bits;

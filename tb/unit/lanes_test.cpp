@@ -2,8 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <map>
+#include <regex>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "sw/cycle/cell.h"
@@ -92,18 +96,34 @@ TEST(Classes, AreTheTargetsThatHaveGoneTheSameWay) {
   }
 }
 
-// rtl/rc2_pkg.sv states the longest list for each LMAX.
+std::string package() {
+  std::ifstream file(RC2_SOURCE_DIR "/rtl/rc2_pkg.sv");
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// The package states the longest list for each LMAX: "(LMAX < 12) ? 2" and so on.
 TEST(Classes, AreAsManyAsTheHardwareHasRoomFor) {
-  const std::vector<int> first_distance{3, 12, 18, 39, 54, 84, 120, 135, 196, 241, 277, 333};
-  int most = 1;
-  for (int distance = 1; distance <= 340; ++distance) {
-    const auto held = static_cast<int>(
-        1 + std::upper_bound(first_distance.begin(), first_distance.end(), distance) -
-        first_distance.begin());
-    most = std::max(most, Classes(distance, std::min(distance, 60)).most());
-    ASSERT_LE(most, held) << "L " << distance;
-    ASSERT_GE(most, held) << "L " << distance;
+  constexpr int kTried = 340;
+  const std::string text = package();
+  const std::regex entry(R"(\(LMAX < (\d+)\) \? (\d+))");
+  int most = 0, distance = 1, entries = 0;
+  for (std::sregex_iterator it(text.begin(), text.end(), entry), end; it != end; ++it) {
+    const int limit = std::stoi((*it)[1]), room = std::stoi((*it)[2]);
+    if (limit > kTried) break;
+    for (; distance < limit; ++distance) {
+      most = std::max(most, Classes(distance, std::min(distance, 60)).most());
+      ASSERT_EQ(most, room) << "L " << distance;
+    }
+    ++entries;
   }
+  EXPECT_GE(entries, 12);
+}
+
+TEST(StopTable, IsAsLongAsInTheHardware) {
+  std::smatch found;
+  const std::string text = package();
+  ASSERT_TRUE(std::regex_search(text, found, std::regex(R"(RUNS = (\d+);)")));
+  EXPECT_EQ(std::stoi(found[1]), StopTable::kRuns);
 }
 
 TEST(Slope, IsWhereRaysAre) {
