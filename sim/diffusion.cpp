@@ -23,6 +23,7 @@ struct DiffusionOptions {
   std::vector<int> sides = {16, 32, 64};
   std::vector<int> queues = {8};
   std::vector<std::string> modes = {"thesis", "fast"};
+  std::vector<std::string> skips = {"on"};
   std::string out;
 };
 
@@ -30,6 +31,7 @@ struct Measured {
   std::string scene;
   int n;
   LightMode mode;
+  bool skips;
   const char* source;
   LightJob job;
   LightResult light;
@@ -39,8 +41,9 @@ struct Measured {
   std::int64_t bound() const { return std::int64_t{hop_stages(mode)} * (farthest() + 1); }
 };
 
-void measure(const std::string& scene, int n, LightMode mode, const facet::PacketStream& packets,
-             const DiffusionOptions& options, ProgressBar& bar, std::vector<Measured>& all) {
+void measure(const std::string& scene, int n, LightMode mode, bool skips,
+             const facet::PacketStream& packets, const DiffusionOptions& options, ProgressBar& bar,
+             std::vector<Measured>& all) {
   const std::string name =
       scene::is_generated_name(scene) ? scene : std::filesystem::path(scene).filename().string();
   const std::string title = fmt::format("{}, n = {}, {}", name, n, to_string(mode));
@@ -50,6 +53,7 @@ void measure(const std::string& scene, int n, LightMode mode, const facet::Packe
   config.max_fa = *std::max_element(options.queues.begin(), options.queues.end());
   config.feeders = default_feeders(n);
   config.mode = mode;
+  config.skips = skips;
   cycle::CycleMachine machine(config);
   machine.load(packets, bar.step(title + ", loading"));
   for (const LightSource& source : choose_sources(name, machine.read_voxels(), n)) {
@@ -58,7 +62,7 @@ void measure(const std::string& scene, int n, LightMode mode, const facet::Packe
         const LightJob job{source.voxel, distance, fa};
         Best watch;
         const LightResult light = watch.time([&] { return machine.light(job, bar.step(title)); });
-        all.push_back({name, n, mode, source.name, job, light, watch.seconds()});
+        all.push_back({name, n, mode, skips, source.name, job, light, watch.seconds()});
       }
     }
   }
@@ -69,27 +73,29 @@ void print(const std::vector<Measured>& all) {
       "Light on the cycle model. The bound: P cycles for each step to the farthest face, and for\n"
       "the step there. The fast mode always takes them, the thesis's ends when no beam is left.\n"
       "Where a source would stand in a voxel of the scene, the nearest free one is taken.\n\n"
-      "{:<20}{:>5}  {:<8}{:>5}{:>4}  {:<7}{:>9}{:>7}{:>8}{:>13}{:>12}{:>9}\n",
-      "scene", "n", "source", "L", "FA", "mode", "T", "bound", "excess", "visits", "merged",
+      "{:<20}{:>5}  {:<8}{:>5}{:>4}  {:<7}{:<5}{:>9}{:>7}{:>8}{:>13}{:>12}{:>9}\n",
+      "scene", "n", "source", "L", "FA", "mode", "skip", "T", "bound", "excess", "visits", "merged",
       "deepest");
   for (const Measured& row : all) {
-    fmt::print("{:<20}{:>5}  {:<8}{:>5}{:>4}  {:<7}{:>9}{:>7}{:>8}{:>13}{:>12}{:>9}\n", row.scene,
-               row.n, row.source, row.job.target_distance, row.job.fa, to_string(row.mode),
-               row.light.cycles, row.bound(), row.light.cycles - row.bound(), row.light.visits,
-               row.light.merged, row.light.max_queue);
+    fmt::print("{:<20}{:>5}  {:<8}{:>5}{:>4}  {:<7}{:<5}{:>9}{:>7}{:>8}{:>13}{:>12}{:>9}\n",
+               row.scene, row.n, row.source, row.job.target_distance, row.job.fa,
+               to_string(row.mode), row.skips ? "on" : "off", row.light.cycles, row.bound(),
+               row.light.cycles - row.bound(), row.light.visits, row.light.merged,
+               row.light.max_queue);
   }
 }
 
 std::string to_csv(const std::vector<Measured>& all) {
   std::string csv =
-      "scene,n,source,x,y,z,L,fa,mode,P,kmax,T,bound,excess,visits,merged,deepest,seconds\n";
+      "scene,n,source,x,y,z,L,fa,mode,skip,P,kmax,T,bound,excess,visits,merged,deepest,seconds\n";
   for (const Measured& row : all) {
     const glm::ivec3 at = row.job.source;
-    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:.6f}\n", row.scene,
-                       row.n, row.source, at.x, at.y, at.z, row.job.target_distance, row.job.fa,
-                       to_string(row.mode), hop_stages(row.mode), row.farthest(), row.light.cycles,
-                       row.bound(), row.light.cycles - row.bound(), row.light.visits,
-                       row.light.merged, row.light.max_queue, row.seconds);
+    csv +=
+        fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:.6f}\n", row.scene,
+                    row.n, row.source, at.x, at.y, at.z, row.job.target_distance, row.job.fa,
+                    to_string(row.mode), row.skips ? "on" : "off", hop_stages(row.mode),
+                    row.farthest(), row.light.cycles, row.bound(), row.light.cycles - row.bound(),
+                    row.light.visits, row.light.merged, row.light.max_queue, row.seconds);
   }
   return csv;
 }
@@ -108,7 +114,10 @@ ExitCode measure_diffusion(const DiffusionOptions& options) {
       within_memory(n, [&] {
         const facet::PacketStream packets = prepare(loaded).facets.packets;
         for (const std::string& mode : options.modes) {
-          measure(loaded.scene, n, parse_light_mode(mode), packets, options, bar, all);
+          for (const std::string& skip : options.skips) {
+            measure(loaded.scene, n, parse_light_mode(mode), skip == "on", packets, options, bar,
+                    all);
+          }
         }
       });
     }
@@ -142,6 +151,12 @@ void declare_diffusion(CLI::App& program, ExitCode& exit_code) {
   command->add_option("--mode", options->modes, "How light spreads: thesis, fast")
       ->delimiter(',')
       ->check(CLI::IsMember({"thesis", "fast"}))
+      ->capture_default_str();
+  command
+      ->add_option("--skip", options->skips,
+                   "In fast mode, whether light that can meet nothing ends early: on, off")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"on", "off"}))
       ->capture_default_str();
   command->add_option("--out", options->out, "Write the table to this CSV file")
       ->type_name("FILE.csv");

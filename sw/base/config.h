@@ -43,6 +43,7 @@ struct MachineConfig {
   bool layers = true;     ///< columns know shown, inside and thin voxels, not only armour
   LightMode mode = LightMode::fast;
   bool counts = true;           ///< read_light() says how many targets arrived, not only if any did
+  bool skips = true;            ///< in fast mode: light that can meet nothing ends early
   bool accurate_light = false;  ///< knows LightRule::accurate, which needs the layers
 };
 

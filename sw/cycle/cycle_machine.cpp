@@ -9,12 +9,15 @@ CycleMachine::CycleMachine(const MachineConfig& config)
     : config_(checked(config)),
       columns_(config.n),
       light_array_(config.n, columns_),
-      lane_array_(config.n, columns_) {}
+      lane_array_(config.n, config.skips, columns_) {}
 
 LoadResult CycleMachine::load(const facet::PacketStream& packets, const Progress& progress) {
   check_packets(config_, packets);
   columns_.clear();
-  return {LoadArray(config_.n, config_.feeders, columns_).run(packets, load_observer_, progress)};
+  LoadResult result{
+      LoadArray(config_.n, config_.feeders, columns_).run(packets, load_observer_, progress)};
+  if (config_.mode == LightMode::fast && result.cycles > 0) result.cycles += lane_array_.settle();
+  return result;
 }
 
 LightResult CycleMachine::light(const LightJob& job, const Progress& progress) {

@@ -27,8 +27,20 @@ int farthest_face(const glm::ivec3& source, int n) {
   return steps;
 }
 
-LaneArray::LaneArray(int n, Columns& columns)
-    : n_(n), columns_(columns), side_(n, columns), z_(n, columns), history_(columns.size()) {}
+LaneArray::LaneArray(int n, bool skips, Columns& columns)
+    : n_(n),
+      columns_(columns),
+      skips_(skips),
+      extents_(n),
+      side_(n, columns),
+      z_(n, columns),
+      history_(columns.size()) {}
+
+std::int64_t LaneArray::settle() {
+  if (!skips_) return 0;
+  extents_.settle(columns_);
+  return std::int64_t{2} * n_;
+}
 
 LightResult LaneArray::run(const LightJob& job, const Observer& observer,
                            const Progress& progress) {
@@ -44,8 +56,9 @@ LightResult LaneArray::run(const LightJob& job, const Observer& observer,
   result.targets.total = total_targets(job.target_distance);
   columns_.darken();
   history_.start();
-  z_.run(job, classes);
-  side_.start(job, classes);
+  const Extents* const extents = skips_ ? &extents_ : nullptr;
+  z_.run(job, classes, extents);
+  side_.start(job, classes, extents);
 
   std::int64_t cycle = 0, still = 0;
   while (side_.busy()) {
@@ -61,9 +74,7 @@ LightResult LaneArray::run(const LightJob& job, const Observer& observer,
     }
   }
 
-  // What is served is marked two cycles later; the pace goes on to the farthest face.
-  const std::int64_t pace = 2 * (std::int64_t{kmax} + 1);
-  result.cycles = std::max(side_.last_served() + 2, pace);
+  result.cycles = std::max(side_.last_busy(), z_.last_busy());
   result.home_cycles = std::max(side_.tally().home_cycle(), z_.tally().home_cycle());
   result.visits = side_.visits() + z_.visits();
   result.merged = side_.merged();
@@ -71,6 +82,7 @@ LightResult LaneArray::run(const LightJob& job, const Observer& observer,
   result.queue_history = history_.signature();
   result.targets.absorbed = side_.absorbed() + z_.absorbed();
   result.targets.escaped = side_.escaped() + z_.escaped();
+  result.targets.skipped = side_.skipped() + z_.skipped();
   check_conservation(result.targets);
   return result;
 }

@@ -1,6 +1,7 @@
 // The array while it is lit in fast mode (rtl/rc2_array.sv): side lanes and z lanes of all cells.
 #pragma once
 
+#include "sw/cycle/extents.h"
 #include "sw/cycle/light_array.h"
 #include "sw/cycle/side_lane.h"
 #include "sw/cycle/z_lanes.h"
@@ -13,7 +14,12 @@ int farthest_face(const glm::ivec3& source, int n);
 
 class LaneArray {
  public:
-  LaneArray(int n, Columns& columns);
+  /// `skips`: leaves out what can meet nothing.
+  LaneArray(int n, bool skips, Columns& columns);
+
+  /// To be called when the columns have been loaded. Returns the cycles until all cells know how
+  /// far the scene reaches beyond them.
+  std::int64_t settle();
 
   /// Lights the columns. Throws Error if L is too fine for n, std::logic_error if targets are lost
   /// or beams block each other.
@@ -25,6 +31,8 @@ class LaneArray {
 
   int n_;
   Columns& columns_;
+  bool skips_;
+  Extents extents_;
   SideLane side_;
   ZLanes z_;
   QueueHistory history_;

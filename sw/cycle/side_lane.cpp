@@ -29,7 +29,7 @@ SideLane::SideLane(int n, Columns& columns)
   }
 }
 
-void SideLane::start(const LightJob& light, const Classes& classes) {
+void SideLane::start(const LightJob& light, const Classes& classes, const Extents* extents) {
   light_ = light;
   classes_ = &classes;
   const auto depth = static_cast<std::size_t>(light.fa + 1) / 2;
@@ -37,7 +37,9 @@ void SideLane::start(const LightJob& light, const Classes& classes) {
     fifo_.assign(2 * depth * cells_.size(), {});
     depth_ = depth;
   }
-  for (Cell& cell : cells_) {
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    Cell& cell = cells_[i];
+    cell.beyond = extents != nullptr ? extents->beyond(i, light.source) : Extent{0, n_ - 1};
     cell.table_made = cell.serving = false;
     cell.first = cell.count = {};
   }
@@ -45,7 +47,7 @@ void SideLane::start(const LightJob& light, const Classes& classes) {
   std::fill(listed_.begin(), listed_.end(), 0);
   active_.clear();
   tally_ = {};
-  absorbed_ = escaped_ = visits_ = merged_ = max_queue_ = last_served_ = 0;
+  absorbed_ = escaped_ = skipped_ = visits_ = merged_ = max_queue_ = last_busy_ = 0;
 
   const auto source = cell_number(light.source.x, light.source.y, n_);
   Cell& cell = cells_[source];
@@ -60,8 +62,10 @@ int SideLane::steps(const Cell& cell) const {
   return std::max(std::abs(cell.x - light_.source.x), std::abs(cell.y - light_.source.y));
 }
 
-Targets SideLane::clip(const Cell& cell) const {
-  return slope(cell).between(-light_.source.z, n_ - 1 - light_.source.z);
+Extent SideLane::worth(const Cell& cell) const {
+  const int z = light_.source.z;
+  if (cell.beyond.none()) return cell.beyond;
+  return {std::min(cell.beyond.min, z), std::max(cell.beyond.max, z)};
 }
 
 std::int64_t SideLane::weight(const Cell& cell, const ColumnBeam& beam) const {
@@ -82,6 +86,7 @@ bool SideLane::step(std::int64_t cycle) {
   taken_.clear();
   bool moved = false;
   for (const std::size_t number : active_) {
+    last_busy_ = std::max(last_busy_, cycle);
     const bool served = serve(number, cycle);
     const bool loaded = load(number, cycle);
     moved = moved || served || loaded;
@@ -117,7 +122,8 @@ bool SideLane::serve(std::size_t number, std::int64_t cycle) {
   const bool served = steps(cell) == 0 ? serve_source(cell, cycle) : serve_column(number, cycle);
   if (served) {
     ++visits_;
-    last_served_ = cycle;
+    // What is served is marked two cycles later.
+    if (steps(cell) != 0) last_busy_ = std::max(last_busy_, cycle + 2);
   }
   return served;
 }
@@ -134,12 +140,13 @@ bool SideLane::serve_source(Cell& cell, std::int64_t cycle) {
 bool SideLane::serve_column(std::size_t number, std::int64_t cycle) {
   Cell& cell = cells_[number];
   const int k = steps(cell), z = light_.source.z;
+  const Extent worth = this->worth(cell);
   const auto fill_table = [&](int first, std::int64_t when) {
-    cell.table.fill(columns_, number, slope(cell), z, first, std::min(n_ - 1, z + k), when);
+    cell.table.fill(columns_, number, slope(cell), z, first, std::min(worth.max, z + k), when);
   };
   if (!cell.table_made) {
     cell.table_made = true;
-    fill_table(std::max(0, z - k), k == 1 ? 1 : 2 * k - 2);
+    fill_table(std::max(worth.min, z - k), k == 1 ? 1 : 2 * k - 2);
   }
   if (cycle < cell.table.ready()) return false;
   const Targets beam = cell.beam.v;
@@ -192,7 +199,7 @@ bool SideLane::send(const Cell& cell, const ColumnBeam& beam, const Targets& fre
     arrivals_.resize(before);
     return false;
   }
-  escape(cell, (ways(ahead) * weight(cell, beam) - sent) * free.count(), cycle);
+  finish(cell, (ways(ahead) * weight(cell, beam) - sent) * free.count(), escaped_, cycle);
   return true;
 }
 
@@ -215,45 +222,58 @@ void SideLane::absorb(std::size_t number, Targets targets, std::int64_t cycle) {
   }
 }
 
-void SideLane::escape(const Cell& cell, std::int64_t targets, std::int64_t cycle) {
-  escaped_ += targets;
+void SideLane::finish(const Cell& cell, std::int64_t targets, std::int64_t& where,
+                      std::int64_t cycle) {
+  where += targets;
   tally_.finish(cycle, cell.x, cell.y, targets);
 }
 
+// What a beam has beyond the cube's top and bottom has left it, what it has beyond anything that
+// could be lit is skipped.
 bool SideLane::load(std::size_t number, std::int64_t cycle) {
   Cell& cell = cells_[number];
   if (cell.serving || cycle < here(cell) || (cell.count[0] == 0 && cell.count[1] == 0)) {
     return false;
   }
-  const auto head = [&](From from) -> const ColumnBeam& {
-    return place(number, from, cell.first[from]);
+  ColumnBeam beam = take(number);
+  const auto within = [&](const Targets& targets, const Extent& extent) {
+    if (extent.none()) return Targets{0, -1};
+    const Targets limits =
+        slope(cell).between(extent.min - light_.source.z, extent.max - light_.source.z);
+    return Targets{std::max(targets.min, limits.min), std::min(targets.max, limits.max)};
   };
-  ColumnBeam beam;
-  if (cell.count[kStraight] != 0 && cell.count[kDiagonal] != 0) {
-    const ColumnBeam &a = head(kStraight), &b = head(kDiagonal);
-    if (a.v.min == b.v.min && a.v.max == b.v.max) {
-      beam = a;
-      beam.u |= b.u;
-      taken_.emplace_back(number, kStraight);
-      taken_.emplace_back(number, kDiagonal);
-      ++merged_;
-    } else {
-      const bool first = a.v.min < b.v.min || (a.v.min == b.v.min && a.v.max < b.v.max);
-      beam = first ? a : b;
-      taken_.emplace_back(number, first ? kStraight : kDiagonal);
-    }
-  } else {
-    const From from = cell.count[kStraight] != 0 ? kStraight : kDiagonal;
-    beam = head(from);
-    taken_.emplace_back(number, from);
-  }
-  const Targets within = clip(cell);
-  const Targets kept{std::max(beam.v.min, within.min), std::min(beam.v.max, within.max)};
-  escape(cell, weight(cell, beam) * (beam.v.count() - kept.count()), cycle);
+  const std::int64_t each = weight(cell, beam);
+  const Targets inside = within(beam.v, {0, n_ - 1});
+  const Targets kept = within(inside, worth(cell));
+  finish(cell, each * (beam.v.count() - inside.count()), escaped_, cycle);
+  finish(cell, each * (inside.count() - kept.count()), skipped_, cycle);
   beam.v = kept;
   cell.beam = beam;
   cell.serving = !kept.none();
   return true;
+}
+
+// The lower head of the two FIFOs, or both if they are at the same V targets.
+ColumnBeam SideLane::take(std::size_t number) {
+  const Cell& cell = cells_[number];
+  const auto head = [&](From from) -> const ColumnBeam& {
+    return place(number, from, cell.first[from]);
+  };
+  if (cell.count[kStraight] == 0 || cell.count[kDiagonal] == 0) {
+    const From from = cell.count[kStraight] != 0 ? kStraight : kDiagonal;
+    taken_.emplace_back(number, from);
+    return head(from);
+  }
+  const ColumnBeam &a = head(kStraight), &b = head(kDiagonal);
+  if (a.v.min == b.v.min && a.v.max == b.v.max) {
+    taken_.emplace_back(number, kStraight);
+    taken_.emplace_back(number, kDiagonal);
+    ++merged_;
+    return {a.v, a.u | b.u, a.along_y};
+  }
+  const bool first = a.v.min < b.v.min || (a.v.min == b.v.min && a.v.max < b.v.max);
+  taken_.emplace_back(number, first ? kStraight : kDiagonal);
+  return first ? a : b;
 }
 
 }  // namespace rc2::cycle

@@ -7,6 +7,7 @@
 
 #include "sw/cycle/classes.h"
 #include "sw/cycle/column.h"
+#include "sw/cycle/extents.h"
 #include "sw/cycle/stop_table.h"
 #include "sw/cycle/tally.h"
 #include "sw/machine/machine.h"
@@ -27,7 +28,8 @@ class SideLane {
  public:
   SideLane(int n, Columns& columns);
 
-  void start(const LightJob& light, const Classes& classes);
+  /// `extents` say what a cell's beams can still meet; null: anything.
+  void start(const LightJob& light, const Classes& classes, const Extents* extents);
 
   bool busy() const { return !active_.empty(); }
 
@@ -43,12 +45,13 @@ class SideLane {
   /// Beams in each cell.
   const std::vector<std::uint32_t>& queues() const { return held_; }
 
-  /// The last cycle in which a beam was served.
-  std::int64_t last_served() const { return last_served_; }
+  /// The last cycle in which a cell held a beam, or marked what one had lit.
+  std::int64_t last_busy() const { return last_busy_; }
 
   const Tally& tally() const { return tally_; }
   std::int64_t absorbed() const { return absorbed_; }
   std::int64_t escaped() const { return escaped_; }
+  std::int64_t skipped() const { return skipped_; }
   std::int64_t visits() const { return visits_; }
   std::int64_t merged() const { return merged_; }
   std::int64_t max_queue() const { return max_queue_; }
@@ -58,6 +61,7 @@ class SideLane {
   enum From : unsigned { kStraight, kDiagonal };
   struct Cell {
     std::uint16_t x, y;
+    Extent beyond;  // what its beams can still meet
     bool table_made;
     bool serving;
     std::array<std::uint16_t, 2> first, count;
@@ -74,7 +78,8 @@ class SideLane {
   // The first cycle in which the cell knows the classes of the beams that come by.
   std::int64_t here(const Cell& cell) const { return 2 * steps(cell) + 2; }
   Slope slope(const Cell& cell) const { return {steps(cell), light_.target_distance}; }
-  Targets clip(const Cell& cell) const;
+  // Voxels that light is at here, or must pass on its way to what it can meet.
+  Extent worth(const Cell& cell) const;
   std::int64_t weight(const Cell& cell, const ColumnBeam& beam) const;
   ColumnBeam& place(std::size_t cell, From from, std::size_t index) {
     return fifo_[(cell * 2 + from) * depth_ + index];
@@ -86,7 +91,8 @@ class SideLane {
   bool send(const Cell& cell, const ColumnBeam& beam, const Targets& free, std::int64_t cycle);
   void absorb(std::size_t number, Targets targets, std::int64_t cycle);
   bool load(std::size_t number, std::int64_t cycle);
-  void escape(const Cell& cell, std::int64_t targets, std::int64_t cycle);
+  ColumnBeam take(std::size_t number);
+  void finish(const Cell& cell, std::int64_t targets, std::int64_t& where, std::int64_t cycle);
 
   int n_;
   Columns& columns_;
@@ -102,8 +108,8 @@ class SideLane {
   std::vector<std::pair<std::size_t, From>> taken_;
 
   Tally tally_;
-  std::int64_t absorbed_ = 0, escaped_ = 0, visits_ = 0, merged_ = 0, max_queue_ = 0;
-  std::int64_t last_served_ = 0;
+  std::int64_t absorbed_ = 0, escaped_ = 0, skipped_ = 0, visits_ = 0, merged_ = 0;
+  std::int64_t max_queue_ = 0, last_busy_ = 0;
 };
 
 }  // namespace rc2::cycle

@@ -7,11 +7,11 @@
 namespace rc2::cycle {
 
 void check_conservation(const TargetCount& targets) {
-  if (targets.absorbed + targets.escaped != targets.total) {
+  if (targets.absorbed + targets.escaped + targets.skipped != targets.total) {
     throw std::logic_error(
-        fmt::format("conservation is broken: {} targets absorbed and {} escaped "
-                    "are not {}",
-                    targets.absorbed, targets.escaped, targets.total));
+        fmt::format("conservation is broken: {} targets absorbed, {} escaped and {} "
+                    "skipped are not {}",
+                    targets.absorbed, targets.escaped, targets.skipped, targets.total));
   }
 }
 

@@ -12,14 +12,18 @@ ClassSet* ZLanes::rows(std::vector<ClassSet>& front, int x, int y) const {
   return front.data() + cell_number(x, y, n_) * height_;
 }
 
-void ZLanes::run(const LightJob& light, const Classes& classes) {
+void ZLanes::run(const LightJob& light, const Classes& classes, const Extents* extents) {
   light_ = light;
   classes_ = &classes;
   height_ = static_cast<std::size_t>(classes.most());
   now_.assign(columns_.size() * height_, 0);
   next_.assign(columns_.size() * height_, 0);
+  beyond_.assign(columns_.size(), {0, n_ - 1});
+  for (std::size_t i = 0; extents != nullptr && i < beyond_.size(); ++i) {
+    beyond_[i] = extents->beyond(i, light.source);
+  }
   tally_ = {};
-  cycles_ = absorbed_ = escaped_ = visits_ = 0;
+  last_busy_ = absorbed_ = escaped_ = skipped_ = visits_ = 0;
   run_lane(false);
   run_lane(true);
 }
@@ -30,8 +34,7 @@ void ZLanes::run_lane(bool down) {
   *rows(now_, box.x0, box.y0) = 1;
   for (int step = 0; step <= last; ++step) {
     const std::int64_t cycle = 2 * step + (down ? 2 : 1);
-    cycles_ = std::max(cycles_, cycle);
-    if (step > 0) enter(box, step, light_.source.z + (down ? -step : step), cycle);
+    enter(box, step, light_.source.z + (down ? -step : step), down, cycle);
     leave(box, step, step == last, cycle);
     if (step == last) break;
     const Box wider{std::max(box.x0 - 1, 0), std::min(box.x1 + 1, n_ - 1), std::max(box.y0 - 1, 0),
@@ -42,8 +45,8 @@ void ZLanes::run_lane(bool down) {
   }
 }
 
-// What meets a stop in this layer is absorbed.
-void ZLanes::enter(const Box& box, int step, int z, std::int64_t cycle) {
+// What meets a stop in this layer is absorbed, what has nothing more to meet is skipped.
+void ZLanes::enter(const Box& box, int step, int z, bool down, std::int64_t cycle) {
   for (int y = box.y0; y <= box.y1; ++y) {
     for (int x = box.x0; x <= box.x1; ++x) {
       ClassSet* const matrix = rows(now_, x, y);
@@ -52,13 +55,16 @@ void ZLanes::enter(const Box& box, int step, int z, std::int64_t cycle) {
       ClassSet any = 0;
       for (std::size_t i = 0; i < count; ++i) any |= matrix[i];
       if (any == 0) continue;
-      ++visits_;
+      last_busy_ = cycle;
+      if (step == 0) continue;
       const auto column = cell_number(x, y, n_);
-      if (!columns_.occupied(column, z)) continue;
-      const std::int64_t arrived = targets(step, dx, dy, matrix);
-      columns_.absorb(column, z, arrived);
-      absorbed_ += arrived;
-      tally_.finish(cycle, x, y, arrived);
+      const bool worth = down ? z >= beyond_[column].min : z <= beyond_[column].max;
+      if (worth) ++visits_;
+      if (worth && !columns_.occupied(column, z)) continue;
+      const std::int64_t ended = targets(step, dx, dy, matrix);
+      if (worth) columns_.absorb(column, z, ended);
+      (worth ? absorbed_ : skipped_) += ended;
+      tally_.finish(cycle, x, y, ended);
       std::fill_n(matrix, count, 0);
     }
   }

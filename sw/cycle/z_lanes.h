@@ -6,6 +6,7 @@
 
 #include "sw/cycle/classes.h"
 #include "sw/cycle/column.h"
+#include "sw/cycle/extents.h"
 #include "sw/cycle/tally.h"
 #include "sw/machine/machine.h"
 
@@ -18,13 +19,16 @@ class ZLanes {
  public:
   ZLanes(int n, Columns& columns);
 
-  /// Lights the columns; the wave takes two cycles a step, one for each lane.
-  void run(const LightJob& light, const Classes& classes);
+  /// Lights the columns; the wave takes two cycles a step, one for each lane. `extents` say what
+  /// light can still meet beyond a cell; null: anything.
+  void run(const LightJob& light, const Classes& classes, const Extents* extents);
 
-  std::int64_t cycles() const { return cycles_; }
+  /// The last cycle in which there was light in a cell.
+  std::int64_t last_busy() const { return last_busy_; }
   const Tally& tally() const { return tally_; }
   std::int64_t absorbed() const { return absorbed_; }
   std::int64_t escaped() const { return escaped_; }
+  std::int64_t skipped() const { return skipped_; }
   std::int64_t visits() const { return visits_; }  ///< voxels that light reached
 
  private:
@@ -32,7 +36,7 @@ class ZLanes {
     int x0, x1, y0, y1;
   };
   void run_lane(bool down);
-  void enter(const Box& box, int step, int z, std::int64_t cycle);
+  void enter(const Box& box, int step, int z, bool down, std::int64_t cycle);
   void advance(const Box& from, const Box& to, int step);
   void leave(const Box& box, int step, bool all, std::int64_t cycle);
   std::int64_t targets(int step, int dx, int dy, const ClassSet* matrix) const;
@@ -44,10 +48,11 @@ class ZLanes {
   Columns& columns_;
   LightJob light_{};
   const Classes* classes_ = nullptr;
-  std::size_t height_ = 0;  // rows of a matrix
+  std::vector<Extent> beyond_;  // of each cell, what light can still meet
+  std::size_t height_ = 0;      // rows of a matrix
   std::vector<ClassSet> now_, next_;
   Tally tally_;
-  std::int64_t cycles_ = 0, absorbed_ = 0, escaped_ = 0, visits_ = 0;
+  std::int64_t last_busy_ = 0, absorbed_ = 0, escaped_ = 0, skipped_ = 0, visits_ = 0;
 };
 
 }  // namespace rc2::cycle

@@ -1,0 +1,64 @@
+#include "sw/cycle/extents.h"
+
+#include <algorithm>
+
+#include "sw/cycle/cell.h"
+
+namespace rc2::cycle {
+namespace {
+
+Extent joined(const Extent& a, const Extent& b) {
+  return {std::min(a.min, b.min), std::max(a.max, b.max)};
+}
+
+Extent extent_of(const Columns& columns, std::size_t column, int n) {
+  Extent extent{n, -1};
+  for (int z = columns.next_occupied(column, 0); z < n;) {
+    extent.min = std::min(extent.min, z);
+    const int end = columns.next_free(column, z);
+    extent.max = end - 1;
+    z = columns.next_occupied(column, end);
+  }
+  return extent;
+}
+
+}  // namespace
+
+Extents::Extents(int n) : n_(n) {
+  const auto cells = static_cast<std::size_t>(n) * static_cast<std::size_t>(n);
+  for (std::vector<Extent>& quadrant : quadrants_) quadrant.assign(cells, {n, -1});
+}
+
+Extent& Extents::at(std::size_t quadrant, int x, int y) {
+  return quadrants_[quadrant][cell_number(x, y, n_)];
+}
+
+void Extents::settle(const Columns& columns) {
+  for (std::size_t quadrant = 0; quadrant < quadrants_.size(); ++quadrant) {
+    const int sx = (quadrant & 1U) != 0 ? 1 : -1, sy = (quadrant & 2U) != 0 ? 1 : -1;
+    for (int i = n_ - 1; i >= 0; --i) {
+      const int y = sy > 0 ? i : n_ - 1 - i;
+      for (int j = n_ - 1; j >= 0; --j) {
+        const int x = sx > 0 ? j : n_ - 1 - j;
+        Extent extent = extent_of(columns, cell_number(x, y, n_), n_);
+        if (j < n_ - 1) extent = joined(extent, at(quadrant, x + sx, y));
+        if (i < n_ - 1) extent = joined(extent, at(quadrant, x, y + sy));
+        at(quadrant, x, y) = extent;
+      }
+    }
+  }
+}
+
+Extent Extents::beyond(std::size_t cell, const glm::ivec3& source) const {
+  const auto x = static_cast<int>(cell) % n_, y = static_cast<int>(cell) / n_;
+  Extent extent{n_, -1};
+  for (std::size_t quadrant = 0; quadrant < quadrants_.size(); ++quadrant) {
+    const bool east = (quadrant & 1U) != 0, north = (quadrant & 2U) != 0;
+    if (east ? x < source.x : x > source.x) continue;
+    if (north ? y < source.y : y > source.y) continue;
+    extent = joined(extent, quadrants_[quadrant][cell]);
+  }
+  return extent;
+}
+
+}  // namespace rc2::cycle
