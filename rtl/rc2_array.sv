@@ -4,7 +4,8 @@
 // k, k+R, ..; on the east side the collectors bring the readback down to row 0. Between them the
 // cells, in thesis mode or with light in lanes.
 //
-// busy_o follows the cells by two cycles (one register per row, one for all rows).
+// busy_o follows the cells by two cycles (one register per row, one for all rows). light_busy_o: the
+// pace of the light in lanes has not yet come to rest.
 
 module rc2_array (
     input  logic                                clk_i,
@@ -21,6 +22,8 @@ module rc2_array (
     output logic           [ rc2_pkg::RowWordW-1:0] word_o,
     input  logic                                word_ready_i,
     output logic           [    rc2_pkg::HomeW-1:0] home_o,  // targets come home in this cycle
+    output logic           [    rc2_pkg::HomeW-1:0] skipped_o,  // those of them that were skipped
+    output logic                                light_busy_o,
     output logic                                busy_o
 );
   localparam int unsigned N = rc2_pkg::N;
@@ -32,7 +35,7 @@ module rc2_array (
   // ---- The cells ---------------------------------------------------------------------------------
   logic [N-1:0] west_valid, west_ready, east_valid, east_ready, cells_busy;
   logic [N*RowWordW-1:0] west_word, east_word;
-  logic [N*HomeW-1:0] home;
+  logic [N*HomeW-1:0] home, skipped;
   if (rc2_pkg::THESIS) begin : m
     rc2_grid_thesis u_grid (
         .clk_i       (clk_i),
@@ -49,6 +52,8 @@ module rc2_array (
         .home_o      (home),
         .busy_o      (cells_busy)
     );
+    assign skipped = '0;
+    assign light_busy_o = 1'b0;
   end else begin : l
     rc2_grid u_grid (
         .clk_i       (clk_i),
@@ -63,7 +68,10 @@ module rc2_array (
         .east_word_o (east_word),
         .east_ready_i(east_ready),
         .home_o      (home),
-        .busy_o      (cells_busy)
+        .skipped_o   (skipped),
+        .busy_o      (cells_busy),
+        .idle_i      (!busy_o),
+        .pace_busy_o (light_busy_o)
     );
   end
 
@@ -75,7 +83,7 @@ module rc2_array (
     logic [HostWordW-1:0] next_word;
     logic back_valid, above_ready;
     logic [RowWordW-1:0] back_word;
-    logic [HomeW-1:0] home_q;
+    logic [HomeW-1:0] home_q, skipped_q;
     logic busy_q;
     /*verilator tracing_on*/
 
@@ -84,6 +92,7 @@ module rc2_array (
     end else if (y == N + 1) begin : top
       // The end of all rows: a READ word waits above row n-1 for ever.
       assign home_q = '0;
+      assign skipped_q = '0;
       assign back_valid = 1'b1;
       assign back_word = {rc2_pkg::KindRead, {rc2_pkg::RowPayloadW{1'b0}}};
     end else begin : row
@@ -140,10 +149,12 @@ module rc2_array (
       assign east_ready[y-1] = row_ready;
       always_ff @(posedge clk_i) begin
         if (!rst_ni) begin
-          home_q <= '0;
-          busy_q <= 1'b0;
+          home_q    <= '0;
+          skipped_q <= '0;
+          busy_q    <= 1'b0;
         end else begin
-          home_q <= f[y+1].home_q + home[(y-1)*HomeW+:HomeW];
+          home_q    <= f[y+1].home_q + home[(y-1)*HomeW+:HomeW];
+          skipped_q <= f[y+1].skipped_q + skipped[(y-1)*HomeW+:HomeW];
           busy_q <= feeding || collecting || cells_busy[y-1];
         end
       end
@@ -153,6 +164,7 @@ module rc2_array (
   assign word_valid_o = f[1].back_valid;
   assign word_o = f[1].back_word;
   assign home_o = f[1].home_q;
+  assign skipped_o = f[1].skipped_q;
 
   logic [N-1:0] rows_busy;
   logic busy_q;

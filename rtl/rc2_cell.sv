@@ -68,9 +68,24 @@ module rc2_cell (
     output logic           [rc2_pkg::MatrixW-1:0] z_x_o,
     output logic           [rc2_pkg::MatrixW-1:0] z_y_o,
     output logic           [rc2_pkg::MatrixW-1:0] z_xy_o,
-    // targets on their way home
+    // how far the scene reaches in each quadrant, from the neighbour in direction e, n, w, s
+    input  logic           [rc2_pkg::ReachW-1:0] ne_e_i,
+    input  logic           [rc2_pkg::ReachW-1:0] ne_n_i,
+    input  logic           [rc2_pkg::ReachW-1:0] nw_w_i,
+    input  logic           [rc2_pkg::ReachW-1:0] nw_n_i,
+    input  logic           [rc2_pkg::ReachW-1:0] sw_w_i,
+    input  logic           [rc2_pkg::ReachW-1:0] sw_s_i,
+    input  logic           [rc2_pkg::ReachW-1:0] se_e_i,
+    input  logic           [rc2_pkg::ReachW-1:0] se_s_i,
+    output logic           [rc2_pkg::ReachW-1:0] ne_o,
+    output logic           [rc2_pkg::ReachW-1:0] nw_o,
+    output logic           [rc2_pkg::ReachW-1:0] sw_o,
+    output logic           [rc2_pkg::ReachW-1:0] se_o,
+    // targets on their way home: all that ended, and those of them that were skipped
     input  logic           [rc2_pkg::HomeW-1:0] home_i,
     output logic           [rc2_pkg::HomeW-1:0] home_o,
+    input  logic           [rc2_pkg::HomeW-1:0] skipped_i,
+    output logic           [rc2_pkg::HomeW-1:0] skipped_o,
     /*verilator tracing_on*/
     output logic                               busy_o
     /*verilator tracing_off*/
@@ -87,7 +102,8 @@ module rc2_cell (
   // ---- The column ----------------------------------------------------------------------------------
   logic voxels_busy;
   logic [N-1:0] occupied;
-  logic [CoordW-1:0] light_addr;
+  logic fill;
+  logic [CoordW-1:0] light_addr, fill_z;
   logic [HomeW-1:0] arrived;
   logic [rc2_pkg::ValueW-1:0] visits_q;
   logic [rc2_pkg::QueueW-1:0] deepest;
@@ -104,6 +120,8 @@ module rc2_cell (
       .word_o      (word_o),
       .word_ready_i(word_ready_i),
       .occupied_o  (occupied),
+      .fill_o      (fill),
+      .fill_z_o    (fill_z),
       .light_addr_o(light_addr),
       .light_i     (arrived),
       .visits_i    (visits_q),
@@ -127,10 +145,46 @@ module rc2_cell (
   assign far_y = south ? $unsigned(-dy) : $unsigned(dy);
   assign distance = CountW'((far_x > far_y) ? far_x : far_y);
 
+  // ---- What light can still meet here and further on ---------------------------------------------
+  logic [CoordW-1:0] beyond_min, beyond_max;
+  logic beyond;  // there is anything
+  assign beyond = (beyond_min <= beyond_max);
+  if (rc2_pkg::SKIPS) begin : g_extents
+    rc2_extents u_extents (
+        .clk_i   (clk_i),
+        .rst_ni  (rst_ni),
+        .clear_i (clear_i),
+        .fill_i  (fill),
+        .fill_z_i(fill_z),
+        .ne_e_i  (ne_e_i),
+        .ne_n_i  (ne_n_i),
+        .nw_w_i  (nw_w_i),
+        .nw_n_i  (nw_n_i),
+        .sw_w_i  (sw_w_i),
+        .sw_s_i  (sw_s_i),
+        .se_e_i  (se_e_i),
+        .se_s_i  (se_s_i),
+        .ne_o    (ne_o),
+        .nw_o    (nw_o),
+        .sw_o    (sw_o),
+        .se_o    (se_o),
+        .east_i  (east),
+        .west_i  (west),
+        .north_i (north),
+        .south_i (south),
+        .min_o   (beyond_min),
+        .max_o   (beyond_max)
+    );
+  end else begin : g_anything
+    assign {ne_o, nw_o, sw_o, se_o} = {4{rc2_pkg::NoReach}};
+    assign beyond_min = '0;
+    assign beyond_max = CoordW'(N - 1);
+  end
+
   // ---- z lanes ---------------------------------------------------------------------------------------
   logic [MatrixW-1:0] from_x, from_y, from_xy, front;
   /*verilator tracing_on*/
-  logic reached, stopped;
+  logic reached, stopped, dropped, fronts;
   logic [CoordW-1:0] z;
   /*verilator tracing_off*/
   assign from_x = east ? z4_i : z0_i;
@@ -147,6 +201,9 @@ module rc2_cell (
       .u_come_i (x_come_i),
       .v_come_i (y_come_i),
       .stops_i  (occupied),
+      .beyond_i (beyond),
+      .min_i    (beyond_min),
+      .max_i    (beyond_max),
       .x_o      (z_x_o),
       .y_o      (z_y_o),
       .xy_o     (z_xy_o),
@@ -156,7 +213,9 @@ module rc2_cell (
       .front_o  (front),
       .reached_o(reached),
       .stopped_o(stopped),
-      .z_o      (z)
+      .dropped_o(dropped),
+      .z_o      (z),
+      .busy_o   (fronts)
   );
 
   // ---- Side lane: a beam comes from one neighbour of each kind -------------------------------------
@@ -166,7 +225,7 @@ module rc2_cell (
   assign diagonal = ({LaneW{side_valid_i[1]}} & side1_i) | ({LaneW{side_valid_i[3]}} & side3_i) |
                     ({LaneW{side_valid_i[5]}} & side5_i) | ({LaneW{side_valid_i[7]}} & side7_i);
 
-  logic load, served, here, side_busy;
+  logic load, left, served, here, side_busy;
   rc2_pkg::lane_t load_beam, loaded, served_beam;
   logic signed [StopW-1:0] free_min, free_max, served_end;
   logic [N-1:0] marks;
@@ -187,6 +246,9 @@ module rc2_cell (
       .along_x_i  (x_cut_i),
       .along_y_i  (y_cut_i),
       .stops_i    (occupied),
+      .beyond_i   (beyond),
+      .low_i      (beyond_min),
+      .high_i     (beyond_max),
       .valid_i    (side_valid_i),
       .straight_i (straight),
       .diagonal_i (diagonal),
@@ -201,6 +263,7 @@ module rc2_cell (
       .load_o     (load),
       .load_beam_o(load_beam),
       .loaded_o   (loaded),
+      .left_o     (left),
       .serve_o    (served),
       .served_o   (served_beam),
       .free_min_o (free_min),
@@ -237,12 +300,15 @@ module rc2_cell (
         .y_all_i    (y_all_i),
         .y_kept_i   (y_kept_i),
         .front_i    (front),
+        .reached_i  (reached),
         .stopped_i  (stopped),
+        .dropped_i  (dropped),
         .last_i     (pace_i.last),
         .z_i        (z),
         .load_i     (load),
         .load_beam_i(load_beam),
         .loaded_i   (loaded),
+        .left_i     (left),
         .serve_i    (served),
         .served_i   (served_beam),
         .free_min_i (free_min),
@@ -252,7 +318,9 @@ module rc2_cell (
         .read_addr_i(light_addr),
         .count_o    (arrived),
         .home_i     (home_i),
-        .home_o     (home_o)
+        .home_o     (home_o),
+        .skipped_i  (skipped_i),
+        .skipped_o  (skipped_o)
     );
 
     // Contract: light is where targets are; see rc2_lit for small L.
@@ -266,6 +334,7 @@ module rc2_cell (
   end else begin : g_none
     assign arrived = HomeW'(lit);
     assign home_o = '0;
+    assign skipped_o = '0;
   end
 
   // Visits of the light and how deep the queues were, for whoever wants to know where the time went.
@@ -284,7 +353,7 @@ module rc2_cell (
       .signature_o(signature)
   );
 
-  assign busy_o = voxels_busy || side_busy;
+  assign busy_o = voxels_busy || side_busy || fronts;
 
   // Contract: light finds no loading under way; a beam comes from one neighbour of each kind.
   always_ff @(posedge clk_i) begin

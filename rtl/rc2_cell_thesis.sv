@@ -69,8 +69,8 @@ module rc2_cell_thesis (
   logic [rc2_pkg::N-1:0] occupied;
 
   // ---- The column ----------------------------------------------------------------------------------
-  logic voxels_busy;
-  logic [CoordW-1:0] light_addr;
+  logic voxels_busy, fill;
+  logic [CoordW-1:0] light_addr, fill_z;
   logic [rc2_pkg::HomeW-1:0] arrived;
   /*verilator tracing_on*/
   rc2_voxels u_voxels (
@@ -84,6 +84,8 @@ module rc2_cell_thesis (
       .word_o      (word_o),
       .word_ready_i(word_ready_i),
       .occupied_o  (occupied),
+      .fill_o      (fill),
+      .fill_z_o    (fill_z),
       .light_addr_o(light_addr),
       .light_i     (arrived),
       .visits_i    (visits_q),

@@ -19,7 +19,10 @@ module rc2_grid (
     input  logic           [rc2_pkg::N-1:0] east_ready_i,
     // of each row
     output logic           [rc2_pkg::N*rc2_pkg::HomeW-1:0] home_o,  // targets come home
-    output logic           [rc2_pkg::N-1:0] busy_o
+    output logic           [rc2_pkg::N*rc2_pkg::HomeW-1:0] skipped_o,  // those of them that were skipped
+    output logic           [rc2_pkg::N-1:0] busy_o,
+    input  logic                                idle_i,  // no cell was busy two cycles ago
+    output logic                                pace_busy_o
 );
   localparam int unsigned N = rc2_pkg::N;
   localparam int unsigned CoordW = rc2_pkg::CoordW;
@@ -29,11 +32,12 @@ module rc2_grid (
   localparam int unsigned ClassW = rc2_pkg::ClassW;
   localparam int unsigned DistanceW = rc2_pkg::DistanceW;
   localparam int unsigned MatrixW = rc2_pkg::MatrixW;
+  localparam int unsigned ReachW = rc2_pkg::ReachW;
   localparam int unsigned WeightsW = rc2_pkg::WeightsW;
 
   // ---- What the cells share ------------------------------------------------------------------
   rc2_pkg::pace_t pace;
-  logic tick, pace_busy;
+  logic tick;
   logic [rc2_pkg::RatioW-1:0] ratio;
   rc2_pace u_pace (
       .clk_i  (clk_i),
@@ -43,7 +47,8 @@ module rc2_grid (
       .pace_o (pace),
       .tick_o (tick),
       .ratio_o(ratio),
-      .busy_o (pace_busy)
+      .idle_i (idle_i),
+      .busy_o (pace_busy_o)
   );
 
   // a[0] along x, a[1] along y; p[i+1] is the unit of coordinate i.
@@ -105,7 +110,8 @@ module rc2_grid (
       logic [7:0] v, r;  // side lane: valid out, room out
       rc2_pkg::lane_t s, d;  // straight, diagonal
       logic [MatrixW-1:0] zx, zy, zd;
-      logic [HomeW-1:0] home;
+      logic [HomeW-1:0] home, skipped;
+      logic [ReachW-1:0] ne, nw, sw, se;
       logic wv, wr, busy;  // word to the east, ready to the west
       logic [RowWordW-1:0] w;
       /*verilator tracing_on*/
@@ -119,6 +125,11 @@ module rc2_grid (
         assign zy = '0;
         assign zd = '0;
         assign home = '0;
+        assign skipped = '0;
+        assign ne = rc2_pkg::NoReach;
+        assign nw = rc2_pkg::NoReach;
+        assign sw = rc2_pkg::NoReach;
+        assign se = rc2_pkg::NoReach;
         assign busy = 1'b0;
         if (x == 0 && y >= 1 && y <= N) begin : feed  // row y-1 starts here
           assign wv = west_valid_i[y-1];
@@ -200,8 +211,22 @@ module rc2_grid (
             .z_x_o       (zx),
             .z_y_o       (zy),
             .z_xy_o      (zd),
+            .ne_e_i      (g[y].c[x+1].ne),
+            .ne_n_i      (g[y+1].c[x].ne),
+            .nw_w_i      (g[y].c[x-1].nw),
+            .nw_n_i      (g[y+1].c[x].nw),
+            .sw_w_i      (g[y].c[x-1].sw),
+            .sw_s_i      (g[y-1].c[x].sw),
+            .se_e_i      (g[y].c[x+1].se),
+            .se_s_i      (g[y-1].c[x].se),
+            .ne_o        (ne),
+            .nw_o        (nw),
+            .sw_o        (sw),
+            .se_o        (se),
             .home_i      (g[y].c[x+1].home),
             .home_o      (home),
+            .skipped_i   (g[y].c[x+1].skipped),
+            .skipped_o   (skipped),
             .busy_o      (busy)
         );
       end
@@ -217,6 +242,7 @@ module rc2_grid (
     assign east_valid_o[y] = g[y+1].c[N].wv;
     assign east_word_o[y*RowWordW+:RowWordW] = g[y+1].c[N].w;
     assign home_o[y*HomeW+:HomeW] = g[y+1].c[1].home;
-    assign busy_o[y] = (cells_busy != 0) || pace_busy;
+    assign skipped_o[y*HomeW+:HomeW] = g[y+1].c[1].skipped;
+    assign busy_o[y] = (cells_busy != 0);
   end
 endmodule

@@ -13,12 +13,13 @@
 //   34 a byte each, high to low: fraction bits and bits of a gap, bits of a facing, sum of two
 //      opposite facings   38 row feeders   3C 1 if the columns have layers
 //   20 command, write 1: bit 0 forget the voxels, bit 1 start the light (only while idle)
-//   24 status: bit 0 busy, bit 1 all targets are home
+//   24 status: bit 0 busy (loading, light, or cells still learning how far the scene reaches), bit 1 all targets are home
 //   28 cycles in which the array was busy since the last command
 //   2C cycles from the last start until the last target came home   30 targets home
 //   40 xs   44 ys   48 zs   4C L   50 FA   54 24*L*L+2   58 2^s/L, rounded down, s of register 60
 //   (read and write, only while idle and four cycles before a start)
-//   5C bit 0: thesis mode, bit 1: the columns count targets   60 fraction bits of 1/L
+//   5C bit 0: thesis mode, bit 1: the columns count targets, bit 2: in lanes, light that can meet
+//      nothing is skipped   60 fraction bits of 1/L   64 of the targets home, those skipped
 
 module rc2_machine (
     input  logic        clk_i,
@@ -57,11 +58,11 @@ module rc2_machine (
   localparam logic [31:0] Id = 32'h52433201;
 
   // ---- The array -----------------------------------------------------------------------------
-  logic clear_q, start_q, busy;
+  logic clear_q, start_q, array_busy, light_busy, busy;
   rc2_pkg::light_t light_q;
   logic word_valid;
   logic [rc2_pkg::RowWordW-1:0] word;
-  logic [HomeW-1:0] home;
+  logic [HomeW-1:0] home, skipped;
   logic [rc2_pkg::FEEDERS*rc2_pkg::HostWordW-1:0] words;
   for (genvar k = 0; k < rc2_pkg::FEEDERS; k++) begin : g_word
     assign words[k*rc2_pkg::HostWordW+:rc2_pkg::HostWordW] =
@@ -80,11 +81,35 @@ module rc2_machine (
       .word_o      (word),
       .word_ready_i(m_axis_tready),
       .home_o      (home),
-      .busy_o      (busy)
+      .skipped_o   (skipped),
+      .light_busy_o(light_busy),
+      .busy_o      (array_busy)
   );
   assign m_axis_tvalid = word_valid;
   assign m_axis_tlast = (word[rc2_pkg::RowWordW-1-:rc2_pkg::KindW] == rc2_pkg::KindRead);
   assign m_axis_tdata = ReadW'(word[rc2_pkg::DataW-1:0]);
+
+  // After a load the cells need up to 2N cycles to learn how far the scene reaches (rc2_extents).
+  localparam int unsigned SettleW = $clog2(2 * rc2_pkg::N + 1);
+  logic settling;
+  if (rc2_pkg::SKIPS && !rc2_pkg::THESIS) begin : g_settle
+    logic lights_q;
+    logic [SettleW-1:0] settle_q;
+    assign settling = (settle_q != 0);
+    always_ff @(posedge clk_i) begin
+      if (!rst_ni || clear_q) begin
+        lights_q <= 1'b0;
+        settle_q <= '0;
+      end else begin
+        if (start_q) lights_q <= 1'b1;
+        if (array_busy && !lights_q) settle_q <= SettleW'(2 * rc2_pkg::N);
+        else if (settling) settle_q <= settle_q - 1'b1;
+      end
+    end
+  end else begin : g_settled
+    assign settling = 1'b0;
+  end
+  assign busy = array_busy || light_busy || settling;
 
   // ---- Registers: write ------------------------------------------------------------------------
   logic write;
@@ -122,22 +147,25 @@ module rc2_machine (
 
   // ---- What happened ---------------------------------------------------------------------------
   logic [31:0] busy_cycles_q, since_q, home_cycle_q;
-  logic [HomeW-1:0] home_q;
+  logic [HomeW-1:0] home_q, skipped_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       busy_cycles_q <= '0;
       since_q       <= '0;
       home_cycle_q  <= '0;
       home_q        <= '0;
+      skipped_q     <= '0;
     end else begin
       since_q <= start_q ? 32'd1 : since_q + 1'b1;
       if (clear_q || start_q) busy_cycles_q <= '0;
-      else if (busy) busy_cycles_q <= busy_cycles_q + 1'b1;
+      else if (array_busy) busy_cycles_q <= busy_cycles_q + 1'b1;
       if (start_q) begin
         home_q       <= '0;
         home_cycle_q <= '0;
+        skipped_q    <= '0;
       end else if (home != 0) begin
         home_q       <= home_q + home;
+        skipped_q    <= skipped_q + skipped;
         home_cycle_q <= since_q + 1'b1;
       end
     end
@@ -169,6 +197,7 @@ module rc2_machine (
         7'h28:   s_axil_rdata <= busy_cycles_q;
         7'h2C:   s_axil_rdata <= home_cycle_q;
         7'h30:   s_axil_rdata <= 32'(home_q);
+        7'h64:   s_axil_rdata <= 32'(skipped_q);
         7'h40:   s_axil_rdata <= 32'(light_q.xs);
         7'h44:   s_axil_rdata <= 32'(light_q.ys);
         7'h48:   s_axil_rdata <= 32'(light_q.zs);
@@ -176,7 +205,7 @@ module rc2_machine (
         7'h50:   s_axil_rdata <= 32'(light_q.fa);
         7'h54:   s_axil_rdata <= 32'(targets_q);
         7'h58:   s_axil_rdata <= 32'(light_q.inverse);
-        7'h5C:   s_axil_rdata <= {30'd0, rc2_pkg::COUNTS, rc2_pkg::THESIS};
+        7'h5C:   s_axil_rdata <= {29'd0, rc2_pkg::SKIPS, rc2_pkg::COUNTS, rc2_pkg::THESIS};
         7'h60:   s_axil_rdata <= rc2_pkg::SlopeW;
         default: s_axil_rdata <= '0;
       endcase

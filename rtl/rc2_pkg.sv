@@ -2,7 +2,8 @@
 //
 // The one place where the machine's size, message formats and widths are stated.
 //
-// A build chooses N, F, LMAX, FAMAX, FEEDERS, LAYERS, THESIS and COUNTS by macros; everything else follows from them.
+// A build chooses N, F, LMAX, FAMAX, FEEDERS, LAYERS, THESIS, COUNTS and SKIPS by macros; everything else
+// follows from them.
 // sw/base/config.h derives the same widths for the host, which checks them against the
 // capability registers of rc2_machine before it sends a word.
 //
@@ -30,6 +31,9 @@
 `ifndef RC2_COUNTS
 `define RC2_COUNTS 1
 `endif
+`ifndef RC2_SKIPS
+`define RC2_SKIPS 1
+`endif
 `ifndef RC2_FEEDERS
 `define RC2_FEEDERS ((`RC2_N >= 64) ? 16 : (`RC2_N >= 32) ? 8 : (`RC2_N >= 16) ? 4 : \
                      (`RC2_N >= 8) ? 2 : 1)
@@ -47,6 +51,7 @@ package rc2_pkg;
   localparam bit LAYERS = (`RC2_LAYERS != 0);  // columns know shown, inside and thin, not only armour
   localparam bit THESIS = (`RC2_THESIS != 0);  // light as in thesis 4.4, else in lanes (rtl/lanes)
   localparam bit COUNTS = (`RC2_COUNTS != 0);  // columns count targets, else they know only lit or not
+  localparam bit SKIPS = (`RC2_SKIPS != 0);    // in lanes: light that can meet nothing ends early
 
   // ---- Widths ------------------------------------------------------------------------------
   localparam int unsigned CoordW = (N <= 2) ? 1 : $clog2(N);  // 0 .. N-1
@@ -213,6 +218,10 @@ package rc2_pkg;
     logic              down;  // some leave towards lower coordinates
     logic              up;
   } cut_t;
+
+  // Highest and lowest layer of something; nothing if the lowest is the higher.
+  localparam int unsigned ReachW = 2 * CoordW;
+  localparam logic [ReachW-1:0] NoReach = {CoordW'(0), CoordW'(N - 1)};
 
   // A side beam: V targets of a column, U targets of some classes. `edge_u` is one target more, U =
   // L or -L, which only x beams have, on the diagonals.

@@ -18,6 +18,8 @@ module rc2_voxels (
     input  logic                               word_ready_i,
     // to and from the light
     output logic           [     rc2_pkg::N-1:0] occupied_o,
+    output logic                               fill_o,    // voxel fill_z_o is occupied from now on
+    output logic           [rc2_pkg::CoordW-1:0] fill_z_o,
     output logic           [rc2_pkg::CoordW-1:0] light_addr_o,
     input  logic           [ rc2_pkg::HomeW-1:0] light_i,  // of the address in the cycle before
     input  logic           [rc2_pkg::ValueW-1:0] visits_i,
@@ -119,6 +121,9 @@ module rc2_voxels (
       .write_owner_o(fill_owner),
       .busy_o       (fill_busy)
   );
+
+  assign fill_o = fill;
+  assign fill_z_o = fill_z;
 
   // ---- The column and its readback -----------------------------------------------------------------
   logic read, read_done, data_valid, column_busy;

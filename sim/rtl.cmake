@@ -62,15 +62,16 @@ function(rc2_add_rtl name n)
   add_custom_target(rtl_${name} DEPENDS ${library})
 endfunction()
 
-# n = 5 has room for the finest vertices, so that the whole range of f meets the RTL somewhere.
+# n = 5 has room for the finest vertices, so that the whole range of f meets the RTL somewhere, and
+# skips nothing.
 foreach(n IN LISTS RC2_RTL_SIZES RC2_RTL_EXTRA_SIZE)
-  set(fraction_bits ${RC2_RTL_F})
+  set(macros F=${RC2_RTL_F})
   if(n EQUAL 5)
-    set(fraction_bits 8)
+    set(macros F=8 SKIPS=0)
   endif()
   if(NOT TARGET rtl_n${n})
-    rc2_add_rtl(n${n} ${n} F=${fraction_bits})
-    rc2_add_rtl(thesis_n${n} ${n} F=${fraction_bits} THESIS=1)
+    rc2_add_rtl(n${n} ${n} ${macros})
+    rc2_add_rtl(thesis_n${n} ${n} ${macros} THESIS=1)
   endif()
 endforeach()
 # As it would be built in silicon: nothing counts targets.

@@ -131,7 +131,8 @@ class VerilatedMachine final : public Machine {
       light_.push_back(record.value);
       if (config_.counts) result.targets.absorbed += record.value;
     }
-    result.targets.escaped = home - result.targets.absorbed;
+    result.targets.skipped = read_register(kSkipped);
+    result.targets.escaped = home - result.targets.absorbed - result.targets.skipped;
     if (config_.counts && !all_home) {
       throw std::logic_error(fmt::format("conservation is broken: {} of {} targets came home", home,
                                          result.targets.total));
@@ -219,6 +220,7 @@ class VerilatedMachine final : public Machine {
     const std::uint32_t build = read_register(kBuild);
     config.mode = (build & kBuildThesis) != 0 ? LightMode::thesis : LightMode::fast;
     config.counts = (build & kBuildCounts) != 0;
+    config.skips = (build & kBuildSkips) != 0;
     if (read_register(kInverseBits) > 32) {
       throw std::logic_error("rtl/rc2_machine.sv: 1/L does not fit its register");
     }

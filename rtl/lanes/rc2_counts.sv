@@ -20,13 +20,16 @@ module rc2_counts (
     input  logic        [rc2_pkg::WeightsW-1:0] y_kept_i,
     // the z lane
     input  logic        [rc2_pkg::MatrixW-1:0] front_i,
+    input  logic                              reached_i,
     input  logic                              stopped_i,
+    input  logic                              dropped_i,
     input  logic                              last_i,
     input  logic        [rc2_pkg::CoordW-1:0] z_i,
     // the side lane
     input  logic                              load_i,
     input  rc2_pkg::lane_t                    load_beam_i,
     input  rc2_pkg::lane_t                    loaded_i,
+    input  logic                              left_i,      // something is left of it
     input  logic                              serve_i,
     input  rc2_pkg::lane_t                    served_i,
     input  logic signed [rc2_pkg::StopW-1:0] free_min_i,
@@ -38,7 +41,9 @@ module rc2_counts (
     output logic        [rc2_pkg::HomeW-1:0] count_o,   // of the address in the cycle before
     // targets on their way home
     input  logic        [rc2_pkg::HomeW-1:0] home_i,
-    output logic        [rc2_pkg::HomeW-1:0] home_o
+    output logic        [rc2_pkg::HomeW-1:0] home_o,
+    input  logic        [rc2_pkg::HomeW-1:0] skipped_i,   // those of them that were skipped
+    output logic        [rc2_pkg::HomeW-1:0] skipped_o
 );
   localparam int unsigned N = rc2_pkg::N;
   localparam int unsigned M = rc2_pkg::ClassM;
@@ -90,22 +95,34 @@ module rc2_counts (
   end
 
   // ---- V targets -------------------------------------------------------------------------------------
-  logic signed [31:0] served_min, served_end, served_v, free_v, load_v, loaded_v;
+  logic signed [31:0] served_min, served_end, served_v, free_v, load_min, load_max, load_v, loaded_v;
   assign served_min = 32'($signed(served_i.vmin));
   assign served_end = 32'(end_i);
   assign served_v = served_end - served_min + 32'd1;
   assign free_v = (free_max_i >= free_min_i) ? 32'(free_max_i) - 32'(free_min_i) + 32'd1 : 32'd0;
-  assign load_v = 32'($signed(load_beam_i.vmax)) - 32'($signed(load_beam_i.vmin)) + 32'd1;
-  assign loaded_v = ($signed(loaded_i.vmax) >= $signed(loaded_i.vmin)) ?
-      32'($signed(loaded_i.vmax)) - 32'($signed(loaded_i.vmin)) + 32'd1 : 32'd0;
+  assign load_min = 32'($signed(load_beam_i.vmin));
+  assign load_max = 32'($signed(load_beam_i.vmax));
+  assign load_v = load_max - load_min + 32'd1;
+  assign loaded_v = !left_i ? 32'd0 :
+      32'($signed(loaded_i.vmax)) - 32'($signed(loaded_i.vmin)) + 32'd1;
+  // Those in the cube.
+  logic signed [31:0] cube_min, cube_max, inside_min, inside_max, inside_v;
+  assign inside_min = (load_min < cube_min) ? cube_min : load_min;
+  assign inside_max = (load_max > cube_max) ? cube_max : load_max;
+  assign inside_v = (inside_max >= inside_min) ? inside_max - inside_min + 32'd1 : 32'd0;
 
-  logic [HomeW-1:0] done, done_q, home_q;
+  logic [HomeW-1:0] done, done_q, home_q, dropped, dropped_q, skipped_q;
   always_comb begin
     done = '0;
-    if (stopped_i || last_i) done = front_all;
-    else done = front_all - front_kept;
+    dropped = '0;
+    if (stopped_i || dropped_i || (reached_i && last_i)) done = front_all;
+    else if (reached_i) done = front_all - front_kept;
+    if (dropped_i) dropped = front_all;
     if (serve_i) done = done + served_all * faces * HomeW'(served_v) - served_kept * ahead * HomeW'(free_v);
-    if (load_i) done = done + load_all * HomeW'(load_v - loaded_v);
+    if (load_i) begin
+      done = done + load_all * HomeW'(load_v - loaded_v);
+      dropped = dropped + load_all * HomeW'(inside_v - loaded_v);
+    end
   end
 
   // ---- Arrivals --------------------------------------------------------------------------------------
@@ -117,6 +134,8 @@ module rc2_counts (
     // Twice the voxel's lower and upper border, as offsets from the light.
     logic signed [31:0] low, high, low_target, high_target, first, end_of;
     logic [HomeW-1:0] side, lane;
+    if (z == 0) assign cube_min = low_target + 32'sd1;
+    if (z == N - 1) assign cube_max = high_target;
     assign low = 32'sd2 * (32'(z) - $signed(32'(light_i.zs))) - 32'sd1;
     assign high = low + 32'sd2;
     // The last target at or below a border, rounded down; dividends are made positive.
@@ -135,11 +154,15 @@ module rc2_counts (
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      done_q <= '0;
-      home_q <= '0;
+      done_q    <= '0;
+      home_q    <= '0;
+      dropped_q <= '0;
+      skipped_q <= '0;
     end else begin
-      done_q <= done;
-      home_q <= home_i + done_q;
+      done_q    <= done;
+      home_q    <= home_i + done_q;
+      dropped_q <= dropped;
+      skipped_q <= skipped_i + dropped_q;
     end
     if (here_i) begin
       x_all_q  <= x_all_i;
@@ -150,4 +173,5 @@ module rc2_counts (
     count_o <= count_q[read_addr_i];
   end
   assign home_o = home_q;
+  assign skipped_o = skipped_q;
 endmodule

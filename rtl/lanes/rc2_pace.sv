@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The clock of the light in lanes: one step every two cycles, from the light's voxel to the
-// farthest face of the cube. In the first cycle of a step the lane upwards moves on in all cells,
+// farthest face of the cube, or until there is no light in any cell. In the first cycle of a step the lane upwards moves on in all cells,
 // in the second the lane downwards.
 //
 // Before the wave of the side beams comes to the cells at distance k, they hear of L/2k and k/L:
@@ -16,6 +16,7 @@ module rc2_pace (
     output rc2_pkg::pace_t                    pace_o,
     output logic                              tick_o,   // a step begins in the next cycle
     output logic        [rc2_pkg::RatioW-1:0] ratio_o,  // of the axes: L/2(s+3) in step s
+    input  logic                              idle_i,   // no cell was busy two cycles ago
     output logic                              busy_o
 );
   localparam int unsigned N = rc2_pkg::N;
@@ -47,6 +48,10 @@ module rc2_pace (
   assign next_step = !active_q ? '0 : step_q + CountW'(second_q);
   assign next_room = next_up ? up_z : light_i.zs;
 
+  // Of the first step the array does not yet know.
+  logic ended;
+  assign ended = idle_i && (step_q != 0);
+
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       active_q <= 1'b0;
@@ -56,7 +61,7 @@ module rc2_pace (
       last_q   <= 1'b0;
     end else begin
       if (start_i) active_q <= 1'b1;
-      else if (second_q && step_q == CountW'(far)) active_q <= 1'b0;
+      else if (second_q && (step_q == CountW'(far) || ended)) active_q <= 1'b0;
       second_q <= active_q && !second_q;
       step_q   <= next_step;
       on_q     <= (next_step <= CountW'(next_room));

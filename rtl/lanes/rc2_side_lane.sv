@@ -26,6 +26,10 @@ module rc2_side_lane (
     input  rc2_pkg::cut_t                     along_x_i,  // classes of this step's x targets
     input  rc2_pkg::cut_t                     along_y_i,
     input  logic        [rc2_pkg::N-1:0] stops_i,
+    // layers with anything that light can still meet, if there is anything
+    input  logic                              beyond_i,
+    input  logic        [rc2_pkg::CoordW-1:0] low_i,
+    input  logic        [rc2_pkg::CoordW-1:0] high_i,
     // links, bit d for direction d of rc2_pkg
     input  logic        [7:0] valid_i,
     input  rc2_pkg::lane_t                    straight_i,
@@ -38,12 +42,13 @@ module rc2_side_lane (
     // voxels that light reaches
     output logic        [rc2_pkg::N-1:0] marks_o,
     // what happens in this cycle, for who counts: the classes of the side beams are here; a beam
-    // is chosen and clipped to the cube; a beam is served
+    // is chosen and clipped to what is worth while; a beam is served
     output logic                              here_o,
     output logic        [3:0] ways_o,     // in the cube: {y down, y up, x down, x up}
     output logic                              load_o,
     output rc2_pkg::lane_t                    load_beam_o,
     output rc2_pkg::lane_t                    loaded_o,
+    output logic                              left_o,      // something is left of it
     output logic                              serve_o,
     output rc2_pkg::lane_t                    served_o,
     /*verilator tracing_on*/
@@ -159,8 +164,8 @@ module rc2_side_lane (
     if (StopW'($signed(chosen.vmin)) < clip_min) clipped.vmin = TargetW'(clip_min);
     if (StopW'($signed(chosen.vmax)) > clip_max) clipped.vmax = TargetW'(clip_max);
   end
-  logic left;  // something is left of it
-  assign left = ($signed(clipped.vmin) <= $signed(clipped.vmax));
+  logic left;
+  assign left = beyond_i && ($signed(clipped.vmin) <= $signed(clipped.vmax));
 
   // ---- The beam that is served -------------------------------------------------------------------
   /*verilator tracing_on*/
@@ -180,6 +185,8 @@ module rc2_side_lane (
       .zs_i      (light_i.zs),
       .distance_i(light_i.distance),
       .stops_i   (stops_i),
+      .low_i     (low_i),
+      .high_i    (high_i),
       .clip_min_o(clip_min),
       .clip_max_o(clip_max),
       .ask_i     (beam_q),
@@ -292,6 +299,7 @@ module rc2_side_lane (
   assign load_o = load;
   assign load_beam_o = chosen;
   assign loaded_o = clipped;
+  assign left_o = left;
   assign serve_o = serve;
   assign served_o = beam;
   assign queue_o = QueueW'(straight_count) + QueueW'(diagonal_count) + QueueW'(beam_q);

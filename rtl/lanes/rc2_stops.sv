@@ -20,7 +20,10 @@ module rc2_stops (
     input  logic        [rc2_pkg::CoordW-1:0] zs_i,
     input  logic        [rc2_pkg::DistanceW-1:0] distance_i,
     input  logic        [rc2_pkg::N-1:0] stops_i,
-    // targets that are in the cube here
+    // layers with anything that light can still meet
+    input  logic        [rc2_pkg::CoordW-1:0] low_i,
+    input  logic        [rc2_pkg::CoordW-1:0] high_i,
+    // targets that are in those layers here, or between them and the light's
     output logic signed [rc2_pkg::StopW-1:0] clip_min_o,
     output logic signed [rc2_pkg::StopW-1:0] clip_max_o,
     // what becomes of targets min_i .. max_i, see StopTable::Passage in sw/cycle/stop_table.h
@@ -59,15 +62,18 @@ module rc2_stops (
   assign clip_min_o = clip_min_q;
   assign clip_max_o = clip_max_q;
 
-  // ---- The voxels that rays can be at ------------------------------------------------------------
+  // ---- The voxels that rays can be at, as far as it is worth while ---------------------------------
   logic signed [WideW-1:0] source_z, steps, lowest, highest;
   logic [CountW-1:0] first_z, last_z, from_q;
   assign source_z = WideW'(zs_i);
   assign steps = WideW'(step_i);
   assign lowest = source_z - steps;
   assign highest = source_z + steps;
-  assign first_z = lowest[WideW-1] ? '0 : CountW'(lowest);
-  assign last_z = (highest > WideW'(N - 1)) ? CountW'(N - 1) : CountW'(highest);
+  logic [CoordW-1:0] low, high;
+  assign low = (low_i < zs_i) ? low_i : zs_i;
+  assign high = (high_i > zs_i) ? high_i : zs_i;
+  assign first_z = (lowest < $signed(WideW'(low))) ? CountW'(low) : CountW'(lowest);
+  assign last_z = (highest > $signed(WideW'(high))) ? CountW'(high) : CountW'(highest);
 
   // ---- Runs --------------------------------------------------------------------------------------
   logic run_found, run_q, run_here;

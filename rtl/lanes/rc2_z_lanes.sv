@@ -21,28 +21,39 @@ module rc2_z_lanes (
     input  logic       [rc2_pkg::ClassW-1:0] u_come_i,
     input  logic       [rc2_pkg::ClassW-1:0] v_come_i,
     input  logic       [rc2_pkg::N-1:0] stops_i,
+    // layers with anything that light can still meet, if there is anything
+    input  logic                             beyond_i,
+    input  logic       [rc2_pkg::CoordW-1:0] min_i,
+    input  logic       [rc2_pkg::CoordW-1:0] max_i,
     output logic       [rc2_pkg::MatrixW-1:0] x_o,
     output logic       [rc2_pkg::MatrixW-1:0] y_o,
     output logic       [rc2_pkg::MatrixW-1:0] xy_o,
     input  logic       [rc2_pkg::MatrixW-1:0] x_i,
     input  logic       [rc2_pkg::MatrixW-1:0] y_i,
     input  logic       [rc2_pkg::MatrixW-1:0] xy_i,
-    // the front of this cycle: it reaches voxel z_o, and is stopped there
+    // the front of this cycle: it reaches voxel z_o, and is stopped there; or it is dropped, as there
+    // is nothing more to meet
     output logic       [rc2_pkg::MatrixW-1:0] front_o,
     output logic                             reached_o,
     output logic                             stopped_o,
-    output logic       [rc2_pkg::CoordW-1:0] z_o
+    output logic                             dropped_o,
+    output logic       [rc2_pkg::CoordW-1:0] z_o,
+    output logic                             busy_o
 );
   localparam int unsigned MatrixW = rc2_pkg::MatrixW;
-  logic [MatrixW-1:0] up_q, down_q, passing, own, next;
-  logic stop_q;
+  logic [MatrixW-1:0] up_q, down_q, passing, own, next, kept;
+  logic up_any_q, down_any_q, any, kept_any;  // whether a front has light
+  logic stop_q, worth_q;
   logic [rc2_pkg::CoordW-1:0] z_q;
 
-  assign front_o = !pace_i.on ? '0 : pace_i.first ? up_q : down_q;
-  assign reached_o = (front_o != 0);
+  assign front_o = pace_i.first ? up_q : down_q;
+  assign any = pace_i.on && (pace_i.first ? up_any_q : down_any_q);
+  assign reached_o = any && worth_q;
+  assign dropped_o = any && !worth_q;
   assign stopped_o = reached_o && stop_q;
   assign z_o = z_q;
-  assign passing = stop_q ? '0 : front_o;
+  assign passing = (reached_o && !stop_q) ? front_o : '0;
+  assign busy_o = up_any_q || down_any_q;
 
   rc2_matrix_out u_out (
       .front_i  (passing),
@@ -65,18 +76,43 @@ module rc2_z_lanes (
       .front_o (next)
   );
 
+  // After its last layer a front is out of the cube. A cell without light keeps its registers still.
+  assign kept = pace_i.last ? '0 : next;
+  assign kept_any = (kept != 0);
+
+  logic next_up;
+  logic [rc2_pkg::CoordW-1:0] higher, lower;
+  assign next_up = !pace_i.active || !pace_i.first;
+  assign higher = next_up ? max_i : pace_i.next_layer;
+  assign lower = next_up ? pace_i.next_layer : min_i;
+
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      up_q   <= '0;
-      down_q <= '0;
+      up_q       <= '0;
+      down_q     <= '0;
+      up_any_q   <= 1'b0;
+      down_any_q <= 1'b0;
     end else if (start_i) begin
-      up_q   <= MatrixW'(source_i);
-      down_q <= MatrixW'(source_i);
-    end else if (pace_i.on) begin
-      if (pace_i.first) up_q <= next;
-      else down_q <= next;
+      up_q       <= MatrixW'(source_i);
+      down_q     <= MatrixW'(source_i);
+      up_any_q   <= source_i;
+      down_any_q <= source_i;
+    end else if (pace_i.on && (any || kept_any)) begin
+      if (pace_i.first) begin
+        up_q     <= kept;
+        up_any_q <= kept_any;
+      end else begin
+        down_q     <= kept;
+        down_any_q <= kept_any;
+      end
     end
-    stop_q <= stops_i[pace_i.next_layer];
-    z_q    <= pace_i.next_layer;
+    stop_q  <= stops_i[pace_i.next_layer];
+    worth_q <= beyond_i && (higher >= lower);
+    z_q     <= pace_i.next_layer;
+  end
+
+  // Contract: a front knows whether it has light.
+  always_ff @(posedge clk_i) begin
+    if (rst_ni) assert (up_any_q == (up_q != 0) && down_any_q == (down_q != 0));
   end
 endmodule

@@ -14,9 +14,9 @@ CycleMachine::CycleMachine(const MachineConfig& config)
 LoadResult CycleMachine::load(const facet::PacketStream& packets, const Progress& progress) {
   check_packets(config_, packets);
   columns_.clear();
-  LoadResult result{
+  const LoadResult result{
       LoadArray(config_.n, config_.feeders, columns_).run(packets, load_observer_, progress)};
-  if (config_.mode == LightMode::fast && result.cycles > 0) result.cycles += lane_array_.settle();
+  if (config_.mode == LightMode::fast) lane_array_.settle();
   return result;
 }
 

@@ -30,8 +30,7 @@ class Extents {
   /// Takes over what is in the columns now.
   void settle(const Columns& columns);
 
-  /// Layers with occupied voxels that light from `source` can reach after it came to this cell; the
-  /// source's own voxel is left out of account.
+  /// Layers with occupied voxels that light from `source` can reach once it is in this cell.
   Extent beyond(std::size_t cell, const glm::ivec3& source) const;
 
  private:

@@ -36,10 +36,8 @@ LaneArray::LaneArray(int n, bool skips, Columns& columns)
       z_(n, columns),
       history_(columns.size()) {}
 
-std::int64_t LaneArray::settle() {
-  if (!skips_) return 0;
-  extents_.settle(columns_);
-  return std::int64_t{2} * n_;
+void LaneArray::settle() {
+  if (skips_) extents_.settle(columns_);
 }
 
 LightResult LaneArray::run(const LightJob& job, const Observer& observer,

@@ -17,9 +17,8 @@ class LaneArray {
   /// `skips`: leaves out what can meet nothing.
   LaneArray(int n, bool skips, Columns& columns);
 
-  /// To be called when the columns have been loaded. Returns the cycles until all cells know how
-  /// far the scene reaches beyond them.
-  std::int64_t settle();
+  /// To be called when the columns have been loaded: the cells learn how far the scene reaches.
+  void settle();
 
   /// Lights the columns. Throws Error if L is too fine for n, std::logic_error if targets are lost
   /// or beams block each other.

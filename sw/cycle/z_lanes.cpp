@@ -55,11 +55,10 @@ void ZLanes::enter(const Box& box, int step, int z, bool down, std::int64_t cycl
       ClassSet any = 0;
       for (std::size_t i = 0; i < count; ++i) any |= matrix[i];
       if (any == 0) continue;
-      last_busy_ = cycle;
-      if (step == 0) continue;
+      last_busy_ = std::max(last_busy_, cycle);
       const auto column = cell_number(x, y, n_);
       const bool worth = down ? z >= beyond_[column].min : z <= beyond_[column].max;
-      if (worth) ++visits_;
+      if (worth && step > 0) ++visits_;
       if (worth && !columns_.occupied(column, z)) continue;
       const std::int64_t ended = targets(step, dx, dy, matrix);
       if (worth) columns_.absorb(column, z, ended);

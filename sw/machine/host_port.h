@@ -35,11 +35,13 @@ enum Register : std::uint8_t {
   kInverse = 0x58,
   kBuild = 0x5C,
   kInverseBits = 0x60,
+  kSkipped = 0x64,
 };
 
 constexpr std::uint32_t kMachineId = 0x52433201;
 constexpr std::uint32_t kBuildThesis = 1;
 constexpr std::uint32_t kBuildCounts = 2;
+constexpr std::uint32_t kBuildSkips = 4;
 constexpr std::uint32_t kCommandClear = 1;
 constexpr std::uint32_t kCommandStart = 2;
 constexpr std::uint32_t kStatusBusy = 1;
@@ -47,7 +49,8 @@ constexpr std::uint32_t kStatusHome = 2;
 
 /// What kBuild says of a machine.
 inline std::uint32_t build_flags(const MachineConfig& config) {
-  return (config.mode == LightMode::thesis ? kBuildThesis : 0) | (config.counts ? kBuildCounts : 0);
+  return (config.mode == LightMode::thesis ? kBuildThesis : 0) |
+         (config.counts ? kBuildCounts : 0) | (config.skips ? kBuildSkips : 0);
 }
 
 /// 1/L for kInverse, rounded down to a fraction of `bits` bits; the largest fraction for L = 1.

@@ -89,6 +89,8 @@ std::uint32_t HostPort::read(std::uint64_t address) {
       return build_flags(config);
     case kInverseBits:
       return low(inverse_bits(config));
+    case kSkipped:
+      return low(light_.targets.skipped);
     case kWaiting:
       return low(static_cast<std::int64_t>(waiting()));
     case kVisitsLow:

@@ -51,7 +51,7 @@ TEST(SmallLanes, SideBeamsOnlyWaitOutwards) {
       std::set<std::pair<std::size_t, std::size_t>> waits;
       for (int distance = 1; distance <= 4 * n; ++distance) {
         const Classes classes(distance, farthest_face(source, n) + 1);
-        lane.start({source, distance, 1}, classes);
+        lane.start({source, distance, 1}, classes, nullptr);
         for (std::int64_t cycle = 1; lane.busy(); ++cycle) {
           ASSERT_LT(cycle, 1000) << "n " << n << " source " << number << " L " << distance;
           lane.step(cycle);

@@ -195,11 +195,14 @@ MachineConfig fast(int n) {
   return config;
 }
 
-// The empty cube, any source: two cycles a step to the farthest face, and at most eight.
+// The empty cube, any source: two cycles a step to the farthest face, one less if the last step is up
+// a z lane, and at most eight more.
 TEST(Lanes, CrossTheEmptyCubeInTwoCyclesAStep) {
   Dice dice(12);
   for (const int n : {2, 3, 5, 16, 33, 64}) {
-    CycleMachine machine(fast(n));
+    MachineConfig config = fast(n);
+    config.skips = false;
+    CycleMachine machine(config);
     for (int round = 0; round < 12; ++round) {
       glm::ivec3 source = pick_voxel(dice, n);
       if (round < 4) source = pick_voxel(dice, 2) * (n - 1);
@@ -208,7 +211,7 @@ TEST(Lanes, CrossTheEmptyCubeInTwoCyclesAStep) {
       for (const int distance : {std::max(1, n - 1), 2 * n}) {
         for (const int fa : {1, 4, 8}) {
           const LightResult result = machine.light({source, distance, fa}, {});
-          EXPECT_GE(result.cycles, 2 * (kmax + 1));
+          EXPECT_GE(result.cycles, 2 * kmax + 1);
           if (fa > 1) {
             EXPECT_LE(result.cycles, 2 * (kmax + 1) + 8) << "n " << n << " fa " << fa;
           }
@@ -237,7 +240,9 @@ TEST(Lanes, NeverHangHoweverShortTheQueue) {
 
 // Queues in every cycle, cell by cell.
 TEST(Lanes, ShowEveryCycleToTheObserver) {
-  CycleMachine machine(fast(9));
+  MachineConfig config = fast(9);
+  config.skips = false;
+  CycleMachine machine(config);
   std::int64_t cycles = 0, deepest = 0;
   machine.observe([&](std::int64_t cycle, const std::vector<std::uint32_t>& queues) {
     EXPECT_EQ(cycle, ++cycles);
