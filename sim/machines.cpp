@@ -31,6 +31,11 @@ std::unique_ptr<Machine> make_machine(const std::string& name, const MachineConf
     check_limit("--target-distance", job.max_distance, built.max_distance,
                 "raise RC2_LMAX in rtl/rc2_pkg.sv", job.n);
     check_limit("--fa", job.max_fa, built.max_fa, "raise RC2_FAMAX in rtl/rc2_pkg.sv", job.n);
+    if (built.skips && !job.skips) {
+      throw Error(fmt::format(
+          "--skip off: the Verilated machine of n = {} was built to skip; use --machine cycle",
+          job.n));
+    }
     if (job.feeders != built.feeders) {
       throw Error(fmt::format(
           "--feeders {}: the Verilated machine of n = {} was built with {} row feeders; ask for "

@@ -91,6 +91,12 @@ void declare_run_options(CLI::App& command, RunOptions& options) {
           "is the same")
       ->check(CLI::IsMember({"fast", "thesis"}))
       ->capture_default_str();
+  command
+      .add_option("--skip", options.skip,
+                  "In fast mode, whether light that can meet nothing ends early (off: not with "
+                  "--machine rtl)")
+      ->check(CLI::IsMember({"on", "off"}))
+      ->capture_default_str();
   command.add_option("--fa", options.fa, "Beams that a cell has room for")->capture_default_str();
   command.add_option("--out", options.out, "Folder of picture.png, picture.exr and report.json")
       ->type_name("DIR")

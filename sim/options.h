@@ -35,6 +35,7 @@ struct RunOptions : SceneOptions {
   std::optional<int> target_distance;
   int fa = 16;
   std::string mode = "fast";
+  std::string skip = "on";
   std::string out = "out";
   std::string waves;
   std::int64_t waves_from = 0;
@@ -48,6 +49,7 @@ struct RunOptions : SceneOptions {
   MachineConfig needs() const {
     MachineConfig config{n, fraction_bits, distance(), fa, feeder_count()};
     config.mode = light_mode();
+    config.skips = skip == "on";
     return config;
   }
 };

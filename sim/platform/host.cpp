@@ -101,8 +101,7 @@ LightResult Host::light(const LightJob& job, const Progress& /*progress*/) {
   result.max_queue = read_register(tlm::kDeepestQueue);
   for (const std::uint32_t arrived : read_light()) result.targets.absorbed += arrived;
   result.targets.skipped = read_register(kSkipped);
-  result.targets.escaped =
-      read_register(kHome) - result.targets.absorbed - result.targets.skipped;
+  result.targets.escaped = read_register(kHome) - result.targets.absorbed - result.targets.skipped;
   return result;
 }
 

@@ -38,7 +38,8 @@ bool HostPort::is_writable(std::uint64_t address) {
 
 std::uint32_t HostPort::read(std::uint64_t address) {
   const MachineConfig& config = machine_.config();
-  const std::int64_t home = light_.targets.absorbed + light_.targets.escaped;
+  const std::int64_t home =
+      light_.targets.absorbed + light_.targets.escaped + light_.targets.skipped;
   if (address == kStatus || address == kBusyCycles) settle();
   switch (address) {
     case kId:

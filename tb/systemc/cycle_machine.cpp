@@ -82,6 +82,7 @@ class CycleMachineUnit final : public Unit {
     if ((command_ & kCommandStart) != 0) {
       const auto at = [&](Register axis) { return static_cast<int>(registers_[axis]); };
       const LightJob job{{at(kSourceX), at(kSourceY), at(kSourceZ)}, at(kDistance), at(kFa)};
+      light_.settle();
       light_result_ = light_.run(job, {}, {});
       light_left_ = light_result_.cycles;
     }
@@ -94,7 +95,8 @@ class CycleMachineUnit final : public Unit {
   }
 
   std::uint32_t read_register(std::uint32_t address) const {
-    const std::int64_t home = light_result_.targets.absorbed + light_result_.targets.escaped;
+    const TargetCount& targets = light_result_.targets;
+    const std::int64_t home = targets.absorbed + targets.escaped + targets.skipped;
     switch (address) {
       case kId:
         return kMachineId;
@@ -125,6 +127,8 @@ class CycleMachineUnit final : public Unit {
         return static_cast<std::uint32_t>(light_result_.home_cycles);
       case kHome:
         return light_left_ == 0 ? static_cast<std::uint32_t>(home) : 0;
+      case kSkipped:
+        return light_left_ == 0 ? static_cast<std::uint32_t>(targets.skipped) : 0;
       default:
         return registers_[address];
     }
@@ -157,7 +161,7 @@ class CycleMachineUnit final : public Unit {
   WordFormat format_{kMachine};
   cycle::Columns columns_{kMachine.n};
   cycle::LoadArray load_{kMachine.n, kMachine.feeders, columns_};
-  cycle::LaneArray light_{kMachine.n, columns_};
+  cycle::LaneArray light_{kMachine.n, kMachine.skips, columns_};
   LightResult light_result_;
   std::int64_t light_left_ = 0;  // cycles
 

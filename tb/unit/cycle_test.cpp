@@ -71,12 +71,13 @@ void expect_same_light(Machine& machine, Machine& golden, const LightJob& job) {
   EXPECT_EQ(machine.read_light(), golden.read_light());
   EXPECT_EQ(ours.targets.total, theirs.targets.total);
   EXPECT_EQ(ours.targets.absorbed, theirs.targets.absorbed);
-  EXPECT_EQ(ours.targets.escaped, theirs.targets.escaped);
-  EXPECT_EQ(ours.targets.skipped, 0);
+  // What would have escaped may have been skipped.
+  EXPECT_EQ(ours.targets.escaped + ours.targets.skipped, theirs.targets.escaped);
   // A beam is at least one ray; the source's six are not among the voxels that rays examine.
   EXPECT_LE(ours.visits, theirs.visits + 6);
   const std::int64_t n = machine.config().n;
   if (machine.config().mode == LightMode::thesis) {
+    EXPECT_EQ(ours.targets.skipped, 0);
     EXPECT_EQ(ours.merged, 0);
     EXPECT_LE(ours.max_queue, job.fa);
     // The last targets served go home from somewhere in the array.

@@ -195,8 +195,8 @@ MachineConfig fast(int n) {
   return config;
 }
 
-// The empty cube, any source: two cycles a step to the farthest face, one less if the last step is up
-// a z lane, and at most eight more.
+// The empty cube, any source: two cycles a step to the farthest face, one less if the last step is
+// up a z lane, and at most eight more.
 TEST(Lanes, CrossTheEmptyCubeInTwoCyclesAStep) {
   Dice dice(12);
   for (const int n : {2, 3, 5, 16, 33, 64}) {
