@@ -56,6 +56,7 @@ std::map<std::int64_t, Depths> watch_light(const std::string& scene, LightMode m
   config.max_fa = options.fa;
   config.feeders = default_feeders(options.n);
   config.mode = mode;
+  config.skips = false;  // the wave is to be seen, not what a scene leaves of it
   cycle::CycleMachine machine(config);
   machine.load(prepare(loaded).facets.packets, bar.step(loaded.scene + ", loading"));
   std::map<std::int64_t, Depths> frames;
