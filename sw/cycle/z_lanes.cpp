@@ -42,7 +42,7 @@ void ZLanes::run_lane(bool down) {
   }
 }
 
-// What meets a stop in this layer is absorbed.
+// Lights what is occupied in this layer; what meets a stop is absorbed.
 void ZLanes::enter(const Box& box, int step, int z, std::int64_t cycle) {
   for (int y = box.y0; y <= box.y1; ++y) {
     for (int x = box.x0; x <= box.x1; ++x) {
@@ -54,9 +54,11 @@ void ZLanes::enter(const Box& box, int step, int z, std::int64_t cycle) {
       if (any == 0) continue;
       ++visits_;
       const auto column = cell_number(x, y, n_);
-      if (!columns_.occupied(column, z)) continue;
+      const bool lights = columns_.occupied(column, z), stops = columns_.stops(column, z);
+      if (!lights && !stops) continue;
       const std::int64_t arrived = targets(step, dx, dy, matrix);
-      columns_.absorb(column, z, arrived);
+      if (lights) columns_.light(column, z, arrived);
+      if (!stops) continue;
       absorbed_ += arrived;
       tally_.finish(cycle, x, y, arrived);
       std::fill_n(matrix, count, 0);

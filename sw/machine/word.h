@@ -34,7 +34,7 @@ struct Word {
   std::array<std::int64_t, 2> step{};
   std::int64_t c = 0, d = 0;
   std::int64_t reach = 0;    ///< HEAD: width of the slab; SIDE: push
-  std::uint8_t facing = 13;  ///< GAP
+  facet::Surface surface = facet::Surface::solid;  ///< GAP
 };
 
 }  // namespace rc2
