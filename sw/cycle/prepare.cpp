@@ -8,6 +8,9 @@ namespace {
 
 constexpr std::int64_t kStages = 2;  // of the unit, after the voxel's owner is asked for
 
+// How far from the light the plane may be, to a column, in half sixteenths of a voxel.
+constexpr int kDoubt = 4;
+
 // From the far side of the owner's plane to this depth, in sixteenths of a voxel, light stops.
 struct Depths {
   int first, last;
@@ -28,7 +31,7 @@ bool stops(const Owner& owner, bool occupied, const glm::ivec3& way, int n) {
   if (occupied && owner.surface == facet::Surface::crowd) return true;
   const int gap = owner.claim.gap;
   const int below = owner.normal.x * way.x + owner.normal.y * way.y + owner.normal.z * way.z;
-  const bool away = ((2 * gap + 1) << (coordinate_bits(n) - 1)) - below < 0;
+  const bool away = (2 * gap + 1 + kDoubt) * (1 << (coordinate_bits(n) - 1)) < below;
   if (occupied && owner.surface == facet::Surface::solid) return away;
   const bool behind = (gap < 0) != away;
   const int depth = gap < 0 ? ~gap : gap;

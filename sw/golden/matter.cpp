@@ -5,6 +5,9 @@
 namespace rc2::golden {
 namespace {
 
+// An eighth of a voxel, in half sixteenths: so far from the light the plane may be, to a column.
+constexpr int kDoubt = 4;
+
 // Where light is stopped behind a sheet begins half a voxel from its plane, in units of a gap.
 constexpr int kHalfVoxel = 1 << (kGapFractionBits - 1);
 
@@ -14,8 +17,8 @@ class View {
   View(const glm::ivec3& source, const glm::ivec3& voxel, const Claim& claim, const Plane& plane,
        int n)
       : way_(voxel - source), claim_(claim), plane_(plane), n_(n) {
-    // The middle of the sixteenth that the gap was rounded down to.
-    const int gap = (2 * claim.gap + 1) * (1 << (coordinate_bits(n) - 1));
+    // The middle of the sixteenth that the gap was rounded down to, and what it may be wrong by.
+    const int gap = (2 * claim.gap + 1 + kDoubt) * (1 << (coordinate_bits(n) - 1));
     const glm::ivec3 rise = plane.normal * way_;
     turned_away_ = gap < rise.x + rise.y + rise.z;
   }
