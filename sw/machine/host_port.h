@@ -38,7 +38,7 @@ enum Register : std::uint8_t {
   kRule = 0x64,
 };
 
-constexpr std::uint32_t kMachineId = 0x52433201;
+constexpr std::uint32_t kMachineId = 0x52433202;
 constexpr std::uint32_t kBuildThesis = 1;
 constexpr std::uint32_t kBuildCounts = 2;
 constexpr std::uint32_t kCommandClear = 1;

@@ -11,7 +11,7 @@
 
 namespace rc2 {
 
-enum class ReadWhat : std::uint8_t { voxels = 0, light = 1, counters = 2, layers = 3 };
+enum class ReadWhat : std::uint8_t { voxels = 0, light = 1, counters = 2, layers = 3, ends = 4 };
 
 /// Field widths of a machine's words, from its size.
 struct WordFormat {

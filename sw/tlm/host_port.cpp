@@ -81,8 +81,8 @@ std::uint32_t HostPort::read(std::uint64_t address) {
       return fa_;
     case kTargets:
       return targets_;
-    case kGapAndFacing:
-      return WordFormat::gap_and_facing();
+    case kGapAndNormal:
+      return WordFormat::gap_and_normal(config.n);
     case kInverse:
       return inverse_;
     case kBuild:
