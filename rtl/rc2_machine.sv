@@ -18,7 +18,7 @@
 //   2C cycles from the last start until the last target came home   30 targets home
 //   40 xs   44 ys   48 zs   4C L   50 FA   54 24*L*L+2   58 2^s/L, rounded down, s of register 60
 //   (read and write, only while idle and four cycles before a start)
-//   64 rule of the light: 1 accurate, 0 the thesis's (likewise)
+//   74 rule of the light: 1 accurate, 0 the thesis's (likewise)
 //   5C bit 0: thesis mode, bit 1: the columns count targets   60 fraction bits of 1/L
 
 module rc2_machine (
@@ -120,7 +120,7 @@ module rc2_machine (
           7'h50:   light_q.fa <= s_axil_wdata[rc2_pkg::QueueW-1:0];
           7'h54:   targets_q <= s_axil_wdata[HomeW-1:0];
           7'h58:   light_q.inverse <= s_axil_wdata[rc2_pkg::SlopeW-1:0];
-          7'h64:   accurate_q <= s_axil_wdata[0];
+          7'h74:   accurate_q <= s_axil_wdata[0];
           default: ;
         endcase
       end
@@ -185,7 +185,7 @@ module rc2_machine (
         7'h58:   s_axil_rdata <= 32'(light_q.inverse);
         7'h5C:   s_axil_rdata <= {30'd0, rc2_pkg::COUNTS, rc2_pkg::THESIS};
         7'h60:   s_axil_rdata <= rc2_pkg::SlopeW;
-        7'h64:   s_axil_rdata <= 32'(accurate_q);
+        7'h74:   s_axil_rdata <= 32'(accurate_q);
         default: s_axil_rdata <= '0;
       endcase
     end

@@ -128,7 +128,7 @@ module rc2_counts (
     assign end_of = (high_target < served_end) ? high_target : served_end;
     assign side = (serve_i && !source && occupied_i[z] && end_of >= first) ?
         served_all * HomeW'(end_of - first + 32'sd1) : '0;
-    assign lane = (reached_i && z_i == CoordW'(z)) ? front_all : '0;
+    assign lane = (reached_i && occupied_i[z] && z_i == CoordW'(z)) ? front_all : '0;
     always_ff @(posedge clk_i) begin
       if (start_i) count_q[z] <= '0;
       else count_q[z] <= count_q[z] + side + lane;

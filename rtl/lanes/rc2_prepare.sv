@@ -118,7 +118,13 @@ module rc2_prepare (
     if (start_i) stops_q <= solid_i & ~occupied_i;
     else if (judge_q && stops) stops_q[judged_z_q] <= 1'b1;
   end
-  assign stops_o = stops_q;
+  // The light's own voxel stops nothing: it may be a guard or inside a solid.
+  logic [N-1:0] own;
+  always_comb begin
+    own = '0;
+    for (int i = 0; i < N; i++) own[i] = (dx == 0) && (dy == 0) && (light_i.zs == CoordW'(i));
+  end
+  assign stops_o = stops_q & ~own;
   assign busy_o = (todo_q != 0) || read_q || judge_q;
 
   // Contract: a guard is not occupied; one start at a time.

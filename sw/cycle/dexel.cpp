@@ -27,8 +27,8 @@ void Dexel::step(const Word& word, bool taken) {
 
 Span Dexel::offered(const Word& gap) const {
   const glm::ivec3 normal(normal_part(gap.step[0]), normal_part(gap.step[1]), normal_part(gap.c));
-  return {facet_,    layer_,    gap.surface, normal,   z0_,   outer_.lo,
-          outer_.hi, core_.lo, core_.hi,    gap.d, gap.c};
+  return {facet_,    layer_,   gap.surface, normal, z0_,  outer_.lo,
+          outer_.hi, core_.lo, core_.hi,    gap.d,  gap.c};
 }
 
 void Dexel::take_head(const Word& word) {

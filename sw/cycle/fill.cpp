@@ -24,8 +24,7 @@ void Fill::step(const Span* offered, Columns& columns, std::size_t column) {
     span_ = *offered;
     if (span_.layer == facet::Layer::inside) span_.hi = span_.lo;  // one step flips all above
     to_seek_ = span_.lo;
-    const bool claims =
-        span_.layer == facet::Layer::armour || span_.layer == facet::Layer::guard;
+    const bool claims = span_.layer == facet::Layer::armour || span_.layer == facet::Layer::guard;
     seeking_ = span_.lo != 0 && claims;
     walking_ = !seeking_;
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "sw/cycle/cell.h"
+
 namespace rc2::cycle {
 namespace {
 
@@ -64,6 +66,8 @@ std::int64_t prepare(const LightJob& light, int n, Columns& columns) {
     }
     most = std::max(most, looked_at);
   }
+  // The light's own voxel stops nothing: it may be a guard or inside a solid.
+  columns.set_stop(cell_number(light.source.x, light.source.y, n), light.source.z, false);
   return most == 0 ? 0 : most + kStages;
 }
 

@@ -25,9 +25,9 @@ Vertex plane_normal(const Border& border);
 bool append_packet(const Border& border, const Vertex& normal, std::uint32_t facet,
                    const Grid& grid, PacketStream& stream);
 
-/// Likewise the packet of Layer::guard: the voxels, centre within the border, that a ray could reach
-/// by its step through the plane; through a sheet, its step beyond half a voxel behind the plane.
-/// Along the dominant axis of the plane that is S/K voxels, and half a voxel more.
+/// Likewise the packet of Layer::guard: the voxels, centre within the border, that a ray could
+/// reach by its step through the plane; through a sheet, its step beyond half a voxel behind the
+/// plane. Along the dominant axis of the plane that is S/K voxels, and half a voxel more.
 bool append_guard(const Border& border, const Vertex& normal, std::uint32_t facet, Surface surface,
                   int n, std::int64_t one, PacketStream& stream);
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <string>
 
 namespace rc2 {
@@ -67,10 +66,10 @@ void check_packet(const MachineConfig& config, const facet::PacketStream& stream
   }
   // A gap may wrap: only what is left of it inside the facet is kept.
   const std::int64_t steepest = std::int64_t{1} << gap_fraction_bits(n);
-  if (std::abs(packet.gap.a) > steepest || std::abs(packet.gap.b) > steepest ||
-      std::abs(packet.gap.c) > steepest || !fits(packet.gap.d, 48)) {
-    refuse("its gap is too large");
+  for (const std::int64_t slope : {packet.gap.a, packet.gap.b, packet.gap.c}) {
+    if (slope > steepest || slope < -steepest) refuse("its gap is too steep");
   }
+  if (!fits(packet.gap.d, 48)) refuse("its gap is too large");
 }
 
 [[noreturn]] void refuse_light(const LightJob& job, const std::string& why) {

@@ -35,7 +35,7 @@ enum Register : std::uint8_t {
   kInverse = 0x58,
   kBuild = 0x5C,
   kInverseBits = 0x60,
-  kRule = 0x64,
+  kRule = 0x74,
 };
 
 constexpr std::uint32_t kMachineId = 0x52433202;

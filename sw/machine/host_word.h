@@ -155,8 +155,8 @@ inline Word unpack_word(const WordFormat& format, const HostWord::Limbs& limbs,
   word.c = with_sign(format.offset, c_bits);
   if (side) word.reach = field(format.offset + c_bits, format.push);
   if (gap) {
-    word.surface = static_cast<facet::Surface>(
-        field(format.offset + c_bits + format.normal, kSurfaceBits));
+    word.surface =
+        static_cast<facet::Surface>(field(format.offset + c_bits + format.normal, kSurfaceBits));
     // Who has no lead of the rows knows b as it is in the normal.
     word.step[1] = with_sign(format.offset + c_bits, format.normal) << 2;
   }

@@ -53,11 +53,11 @@ struct LoadResult {
 
 struct LightResult {
   std::int64_t prepare_cycles = 0;  ///< for the columns to see where this light ends; 0 on golden
-  std::int64_t cycles = 0;       ///< start .. last busy cycle of any cell; 0 on golden
-  std::int64_t home_cycles = 0;  ///< start .. last target counted home at the root; 0 on golden
-  std::int64_t visits = 0;       ///< beams served by all cells (golden: voxels examined by rays)
-  std::int64_t merged = 0;       ///< beams that were merged into another
-  std::int64_t max_queue = 0;    ///< deepest FA seen in any cell; 0 on golden
+  std::int64_t cycles = 0;          ///< start .. last busy cycle of any cell; 0 on golden
+  std::int64_t home_cycles = 0;     ///< start .. last target counted home at the root; 0 on golden
+  std::int64_t visits = 0;          ///< beams served by all cells (golden: voxels examined by rays)
+  std::int64_t merged = 0;          ///< beams that were merged into another
+  std::int64_t max_queue = 0;       ///< deepest FA seen in any cell; 0 on golden
   TargetCount targets;
   /// A signature of the depth of every queue in every cycle (QueueHistory); 0 on golden.
   std::uint64_t queue_history = 0;

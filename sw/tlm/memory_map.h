@@ -5,12 +5,14 @@
 
 namespace rc2::tlm {
 
-/// The registers of sw/machine/host_port.h and, after them, these; 32 bits each.
+/// The registers of sw/machine/host_port.h and, among them, these; 32 bits each.
 enum ModelRegister : std::uint8_t {
-  kWaiting = 0x64,      ///< beats of readback that wait
-  kVisitsLow = 0x68,    ///< beams served by the last light
-  kVisitsHigh = 0x6C,   ///< their upper 32 bits
-  kDeepestQueue = 0x70  ///< of the last light
+  kWaiting = 0x64,       ///< beats of readback that wait
+  kVisitsLow = 0x68,     ///< beams served by the last light
+  kVisitsHigh = 0x6C,    ///< their upper 32 bits
+  kDeepestQueue = 0x70,  ///< of the last light
+  kAbsorbed = 0x78,      ///< its targets that ended in voxels
+  kPrepareCycles = 0x7C  ///< cycles that it took to prepare
 };
 constexpr std::uint64_t kRegisters = 0x0000, kRegistersSize = 0x100;
 
