@@ -11,7 +11,9 @@ module rc2_array (
     input  logic                                clk_i,
     input  logic                                rst_ni,
     input  logic                                clear_i,
+    input  logic                                prepare_i,
     input  logic                                start_i,
+    input  logic                                accurate_i,
     input  rc2_pkg::light_t                     light_i,
     // facet packets and READ words from the host, one stream for each feeder
     input  logic           [  rc2_pkg::FEEDERS-1:0] word_valid_i,
@@ -59,7 +61,9 @@ module rc2_array (
         .clk_i       (clk_i),
         .rst_ni      (rst_ni),
         .clear_i     (clear_i),
+        .prepare_i   (prepare_i),
         .start_i     (start_i),
+        .accurate_i  (accurate_i),
         .light_i     (light_i),
         .west_valid_i(west_valid),
         .west_word_i (west_word),
@@ -80,6 +84,7 @@ module rc2_array (
     /*verilator tracing_off*/  // as above
     logic unit_waits, unit_valid, row_ready, ready, next_valid, feeding, collecting;
     logic [RowWordW-1:0] unit_word;
+    logic [rc2_pkg::LeadW-1:0] unit_lead;
     logic [HostWordW-1:0] next_word;
     logic back_valid, above_ready;
     logic [RowWordW-1:0] back_word;
@@ -124,6 +129,7 @@ module rc2_array (
           .unit_waits_o(unit_waits),
           .unit_valid_o(unit_valid),
           .unit_word_o (unit_word),
+          .unit_lead_o (unit_lead),
           .unit_ready_i(west_ready[y-1]),
           .next_valid_o(next_valid),
           .next_word_o (next_word),

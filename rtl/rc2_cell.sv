@@ -16,7 +16,9 @@ module rc2_cell (
     input  logic           [rc2_pkg::CoordW-1:0] x_i,
     input  logic           [rc2_pkg::CoordW-1:0] y_i,
     input  logic                               clear_i,
+    input  logic                               prepare_i,
     input  logic                               start_i,
+    input  logic                               accurate_i,
     input  rc2_pkg::light_t                    light_i,
     // row pipe: from the west, to the east
     /*verilator tracing_on*/
@@ -101,10 +103,10 @@ module rc2_cell (
 
   // ---- The column ----------------------------------------------------------------------------------
   logic voxels_busy;
-  logic [N-1:0] occupied;
+  logic [N-1:0] occupied, stops;
   logic fill;
   logic [CoordW-1:0] light_addr, fill_z;
-  logic [HomeW-1:0] arrived;
+  logic [HomeW-1:0] arrived, ends;
   logic [rc2_pkg::ValueW-1:0] visits_q;
   logic [rc2_pkg::QueueW-1:0] deepest;
   logic [15:0] signature;
@@ -112,7 +114,12 @@ module rc2_cell (
   rc2_voxels u_voxels (
       .clk_i       (clk_i),
       .rst_ni      (rst_ni),
+      .x_i         (x_i),
+      .y_i         (y_i),
       .clear_i     (clear_i),
+      .prepare_i   (prepare_i),
+      .accurate_i  (accurate_i),
+      .source_i    (light_i),
       .word_valid_i(word_valid_i),
       .word_i      (word_i),
       .word_ready_o(word_ready_o),
@@ -122,8 +129,10 @@ module rc2_cell (
       .occupied_o  (occupied),
       .fill_o      (fill),
       .fill_z_o    (fill_z),
+      .stops_o     (stops),
       .light_addr_o(light_addr),
       .light_i     (arrived),
+      .ends_i      (ends),
       .visits_i    (visits_q),
       .history_i   ({signature, deepest}),
       .busy_o      (voxels_busy)
@@ -200,7 +209,7 @@ module rc2_cell (
       .v_i      (y_cut_i),
       .u_come_i (x_come_i),
       .v_come_i (y_come_i),
-      .stops_i  (occupied),
+      .stops_i  (stops),
       .beyond_i (beyond),
       .min_i    (beyond_min),
       .max_i    (beyond_max),
@@ -245,7 +254,7 @@ module rc2_cell (
       .pace_i     (pace_i),
       .along_x_i  (x_cut_i),
       .along_y_i  (y_cut_i),
-      .stops_i    (occupied),
+      .stops_i    (stops),
       .beyond_i   (beyond),
       .low_i      (beyond_min),
       .high_i     (beyond_max),
@@ -317,6 +326,7 @@ module rc2_cell (
         .ways_i     (ways),
         .read_addr_i(light_addr),
         .count_o    (arrived),
+        .ends_o     (ends),
         .home_i     (home_i),
         .home_o     (home_o),
         .skipped_i  (skipped_i),
@@ -333,6 +343,7 @@ module rc2_cell (
     end
   end else begin : g_none
     assign arrived = HomeW'(lit);
+    assign ends = '0;
     assign home_o = '0;
     assign skipped_o = '0;
   end

@@ -66,7 +66,7 @@ module rc2_cell_thesis (
   logic [rc2_pkg::ValueW-1:0] visits_q;
   logic [rc2_pkg::QueueW-1:0] deepest;
   logic [15:0] signature;
-  logic [rc2_pkg::N-1:0] occupied;
+  logic [rc2_pkg::N-1:0] occupied, stops;
 
   // ---- The column ----------------------------------------------------------------------------------
   logic voxels_busy, fill;
@@ -76,7 +76,12 @@ module rc2_cell_thesis (
   rc2_voxels u_voxels (
       .clk_i       (clk_i),
       .rst_ni      (rst_ni),
+      .x_i         (x_i),
+      .y_i         (y_i),
       .clear_i     (clear_i),
+      .prepare_i   (1'b0),
+      .accurate_i  (1'b0),
+      .source_i    (light_i),
       .word_valid_i(word_valid_i),
       .word_i      (word_i),
       .word_ready_o(word_ready_o),
@@ -86,8 +91,10 @@ module rc2_cell_thesis (
       .occupied_o  (occupied),
       .fill_o      (fill),
       .fill_z_o    (fill_z),
+      .stops_o     (stops),
       .light_addr_o(light_addr),
       .light_i     (arrived),
+      .ends_i      ('0),
       .visits_i    (visits_q),
       .history_i   ({signature, deepest}),
       .busy_o      (voxels_busy)

@@ -7,8 +7,8 @@
 // Claim of the owner, and count: RAM words. A count takes a new arrival every cycle, also at the same voxel: the
 // sum written in the cycle before is bypassed, as the RAM still shows the old one.
 //
-// Layers (rc2_pkg::LAYERS): shown, inside and thin, one register bit a voxel each, the parity of the
-// object under way, and the owner's facing beside its claim.
+// Layers (rc2_pkg::LAYERS): shown, inside and guard, one register bit a voxel each, the parity of the
+// object under way, and the owner's plane beside its claim. Guards, too, have an owner.
 //
 // Readback: while read_i asks, one word per occupied voxel in order of z (or one word that says
 // there is none), a word every second cycle, then read_done_o for one accepted cycle.
@@ -18,6 +18,8 @@ module rc2_column (
     input  logic                       rst_ni,
     input  logic                       clear_i,         // forget all voxels
     output logic [     rc2_pkg::N-1:0] occupied_o,
+    output logic [     rc2_pkg::N-1:0] guard_o,
+    output logic [     rc2_pkg::N-1:0] solid_o,
     // loading
     output rc2_pkg::claim_t            owner_o,         // of the address in the cycle before
     input  logic [rc2_pkg::CoordW-1:0] owner_addr_i,
@@ -25,21 +27,22 @@ module rc2_column (
     input  logic [rc2_pkg::CoordW-1:0] fill_z_i,
     input  rc2_pkg::claim_t            fill_owner_i,
     // the other layers: what becomes of voxel fill_z_i
-    output logic [rc2_pkg::FacingW-1:0] facing_o,       // of the owner
-    input  logic [rc2_pkg::FacingW-1:0] fill_facing_i,
+    output rc2_pkg::plane_t            plane_o,         // of the owner, as owner_o
+    input  rc2_pkg::plane_t            fill_plane_i,
+    input  logic                       guard_i,
     input  logic                       show_i,
     input  logic                       flip_i,
-    input  logic                       thin_i,
     input  logic                       end_i,           // of an object
     // light: what arrived at the voxel of the address in the cycle before
     output logic [rc2_pkg::CoordW-1:0] light_addr_o,
     input  logic [ rc2_pkg::HomeW-1:0] light_i,
     // counters
+    input  logic [ rc2_pkg::HomeW-1:0] ends_i,
     input  logic [rc2_pkg::ValueW-1:0] visits_i,
     input  logic [rc2_pkg::HistoryW-1:0] history_i,
     // readback
     input  logic                       read_i,
-    input  logic [                1:0] read_what_i,
+    input  logic [                2:0] read_what_i,
     output logic                       read_done_o,
     input  logic                       read_done_taken_i,
     output logic                       data_valid_o,
@@ -70,7 +73,7 @@ module rc2_column (
       .Depth(N)
   ) u_owner (
       .clk_i       (clk_i),
-      .write_i     (fill_i),
+      .write_i     (fill_i || guard_i),
       .write_addr_i(fill_z_i),
       .write_data_i(fill_owner_i),
       .read_addr_i (reading_q ? first_z : owner_addr_i),
@@ -78,32 +81,34 @@ module rc2_column (
   );
 
   // ---- Layers ----------------------------------------------------------------------------------------
-  logic [N-1:0] shown, solid, thin;
+  logic [N-1:0] shown, solid, guarded;
+  assign guard_o = guarded;
+  assign solid_o = solid;
   if (rc2_pkg::LAYERS) begin : g_layers
-    logic [N-1:0] shown_q, solid_q, thin_q, parity_q;
+    logic [N-1:0] shown_q, solid_q, guard_q, parity_q;
     rc2_ram #(
-        .Width(rc2_pkg::FacingW),
+        .Width(rc2_pkg::OwnerPlaneW),
         .Depth(N)
-    ) u_facing (
+    ) u_plane (
         .clk_i       (clk_i),
-        .write_i     (fill_i),
+        .write_i     (fill_i || guard_i),
         .write_addr_i(fill_z_i),
-        .write_data_i(fill_facing_i),
+        .write_data_i(fill_plane_i),
         .read_addr_i (owner_addr_i),
-        .read_data_o (facing_o)
+        .read_data_o (plane_o)
     );
     assign shown = shown_q;
     assign solid = solid_q;
-    assign thin = thin_q;
+    assign guarded = guard_q & ~occupied_q;
     always_ff @(posedge clk_i) begin
       if (!rst_ni || clear_i) begin
         shown_q  <= '0;
         solid_q  <= '0;
-        thin_q   <= '0;
+        guard_q  <= '0;
         parity_q <= '0;
       end else begin
         if (show_i) shown_q[fill_z_i] <= 1'b1;
-        if (thin_i) thin_q[fill_z_i] <= 1'b1;
+        if (guard_i) guard_q[fill_z_i] <= 1'b1;
         if (flip_i) parity_q <= parity_q ^ ({N{1'b1}} << fill_z_i);
         if (end_i) begin
           solid_q  <= solid_q | parity_q;
@@ -114,8 +119,8 @@ module rc2_column (
   end else begin : g_armour
     assign shown = '0;
     assign solid = '0;
-    assign thin = '0;
-    assign facing_o = '0;
+    assign guarded = '0;
+    assign plane_o = '0;
   end
 
   always_ff @(posedge clk_i) begin
@@ -129,7 +134,8 @@ module rc2_column (
   always_comb begin
     case (read_what_i)
       rc2_pkg::ReadCounters: wanted = N'(3);
-      rc2_pkg::ReadLayers: wanted = occupied_q | shown | solid | thin;
+      rc2_pkg::ReadEnds: wanted = N'(1);
+      rc2_pkg::ReadLayers: wanted = occupied_q | shown | solid | guarded;
       default: wanted = occupied_q;
     endcase
   end
@@ -144,8 +150,9 @@ module rc2_column (
     case (read_what_i)
       rc2_pkg::ReadVoxels: data_o.value = ValueW'(owner_o);
       rc2_pkg::ReadLayers:
-      data_o.value = ValueW'({thin[first_z], solid[first_z], shown[first_z], occupied_q[first_z]});
+      data_o.value = ValueW'({guarded[first_z], solid[first_z], shown[first_z], occupied_q[first_z]});
       rc2_pkg::ReadLight:  data_o.value = ValueW'(light_i);
+      rc2_pkg::ReadEnds:   data_o.value = ValueW'(ends_i);
       default:             data_o.value = (first_z == 0) ? visits_i : ValueW'(history_i);
     endcase
   end
@@ -180,7 +187,7 @@ module rc2_column (
   always_ff @(posedge clk_i) begin
     if (rst_ni) begin
       assert (!(fill_i && reading_q));
-      assert (!(end_i && (fill_i || flip_i)));
+      assert (!(end_i && (fill_i || guard_i || flip_i)));
       assert (!(clear_i && fill_i));
     end
   end

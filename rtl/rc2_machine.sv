@@ -10,14 +10,17 @@
 // Registers (32 bits, byte addresses; read-only unless said):
 //   00 id "RC2" and layout version   04 n   08 f   0C LMAX   10 FAMAX
 //   14 bits of a packet word   18 bits of a readback word   1C bits of a facet number
-//   34 a byte each, high to low: fraction bits and bits of a gap, bits of a facing, sum of two
-//      opposite facings   38 row feeders   3C 1 if the columns have layers
-//   20 command, write 1: bit 0 forget the voxels, bit 1 start the light (only while idle)
-//   24 status: bit 0 busy (loading, light, or cells still learning how far the scene reaches), bit 1 all targets are home
+//   34 a byte each, high to low: fraction bits and bits of a gap, and of a component of a normal
+//   38 row feeders   3C 1 if the columns have layers
+//   20 command, write 1: bit 0 forget the voxels, bit 1 start the light, bit 2 prepare it: see where
+//      it will stop, for the accurate rule (only while idle)
+//   24 status: bit 0 busy (loading, light, or cells still learning how far the scene reaches),
+//      bit 1 all targets are home
 //   28 cycles in which the array was busy since the last command
 //   2C cycles from the last start until the last target came home   30 targets home
 //   40 xs   44 ys   48 zs   4C L   50 FA   54 24*L*L+2   58 2^s/L, rounded down, s of register 60
 //   (read and write, only while idle and four cycles before a start)
+//   74 rule of the light: 1 accurate, 0 the thesis's (likewise)
 //   5C bit 0: thesis mode, bit 1: the columns count targets, bit 2: in lanes, light that can meet
 //      nothing is skipped   60 fraction bits of 1/L   64 of the targets home, those skipped
 
@@ -55,10 +58,10 @@ module rc2_machine (
   localparam int unsigned PacketW = 8 * ((rc2_pkg::HostWordW + 7) / 8);
   localparam int unsigned ReadW = 8 * ((rc2_pkg::DataW + 7) / 8);
   localparam int unsigned HomeW = rc2_pkg::HomeW;
-  localparam logic [31:0] Id = 32'h52433201;
+  localparam logic [31:0] Id = 32'h52433202;
 
   // ---- The array -----------------------------------------------------------------------------
-  logic clear_q, start_q, array_busy, light_busy, busy;
+  logic clear_q, prepare_q, start_q, accurate_q, array_busy, light_busy, busy;
   rc2_pkg::light_t light_q;
   logic word_valid;
   logic [rc2_pkg::RowWordW-1:0] word;
@@ -72,7 +75,9 @@ module rc2_machine (
       .clk_i       (clk_i),
       .rst_ni      (rst_ni),
       .clear_i     (clear_q),
+      .prepare_i   (prepare_q),
       .start_i     (start_q),
+      .accurate_i  (accurate_q),
       .light_i     (light_q),
       .word_valid_i(s_axis_tvalid),
       .word_i      (words),
@@ -101,7 +106,7 @@ module rc2_machine (
         lights_q <= 1'b0;
         settle_q <= '0;
       end else begin
-        if (start_q) lights_q <= 1'b1;
+        if (prepare_q || start_q) lights_q <= 1'b1;
         if (array_busy && !lights_q) settle_q <= SettleW'(2 * rc2_pkg::N);
         else if (settling) settle_q <= settle_q - 1'b1;
       end
@@ -123,13 +128,16 @@ module rc2_machine (
     if (!rst_ni) begin
       s_axil_bvalid <= 1'b0;
       clear_q       <= 1'b0;
+      prepare_q     <= 1'b0;
       start_q       <= 1'b0;
+      accurate_q    <= 1'b0;
       light_q       <= '0;
       targets_q     <= '0;
     end else begin
       s_axil_bvalid <= write || (s_axil_bvalid && !s_axil_bready);
       clear_q       <= write && (s_axil_awaddr == 7'h20) && s_axil_wdata[0];
       start_q       <= write && (s_axil_awaddr == 7'h20) && s_axil_wdata[1];
+      prepare_q     <= write && (s_axil_awaddr == 7'h20) && s_axil_wdata[2];
       if (write) begin
         case (s_axil_awaddr)
           7'h40:   light_q.xs <= s_axil_wdata[rc2_pkg::CoordW-1:0];
@@ -139,6 +147,7 @@ module rc2_machine (
           7'h50:   light_q.fa <= s_axil_wdata[rc2_pkg::QueueW-1:0];
           7'h54:   targets_q <= s_axil_wdata[HomeW-1:0];
           7'h58:   light_q.inverse <= s_axil_wdata[rc2_pkg::SlopeW-1:0];
+          7'h74:   accurate_q <= s_axil_wdata[0];
           default: ;
         endcase
       end
@@ -157,7 +166,7 @@ module rc2_machine (
       skipped_q     <= '0;
     end else begin
       since_q <= start_q ? 32'd1 : since_q + 1'b1;
-      if (clear_q || start_q) busy_cycles_q <= '0;
+      if (clear_q || prepare_q || start_q) busy_cycles_q <= '0;
       else if (array_busy) busy_cycles_q <= busy_cycles_q + 1'b1;
       if (start_q) begin
         home_q       <= '0;
@@ -190,7 +199,7 @@ module rc2_machine (
         7'h18:   s_axil_rdata <= rc2_pkg::DataW;
         7'h1C:   s_axil_rdata <= rc2_pkg::FacetW;
         7'h34:   s_axil_rdata <= {8'(rc2_pkg::GapFractionW), 8'(rc2_pkg::GapW),
-                                  8'(rc2_pkg::FacingW), 8'(rc2_pkg::OppositeFacings)};
+                                  8'(rc2_pkg::NormalFractionW), 8'(rc2_pkg::NormalW)};
         7'h38:   s_axil_rdata <= rc2_pkg::FEEDERS;
         7'h3C:   s_axil_rdata <= 32'(rc2_pkg::LAYERS);
         7'h24:   s_axil_rdata <= {30'd0, (home_q == targets_q), busy};
@@ -207,6 +216,7 @@ module rc2_machine (
         7'h58:   s_axil_rdata <= 32'(light_q.inverse);
         7'h5C:   s_axil_rdata <= {29'd0, rc2_pkg::SKIPS, rc2_pkg::COUNTS, rc2_pkg::THESIS};
         7'h60:   s_axil_rdata <= rc2_pkg::SlopeW;
+        7'h74:   s_axil_rdata <= 32'(accurate_q);
         default: s_axil_rdata <= '0;
       endcase
     end
@@ -219,7 +229,7 @@ module rc2_machine (
     waiting_q <= rst_ni && m_axis_tvalid && !m_axis_tready;
     beat_q    <= m_axis_tdata;
     if (rst_ni) begin
-      assert (!((clear_q || start_q) && busy));
+      assert (!((clear_q || prepare_q || start_q) && busy));
       assert (!waiting_q || (m_axis_tvalid && m_axis_tdata == beat_q));
       assert (home == 0 || home_q + home <= targets_q);
     end

@@ -48,7 +48,7 @@ package rc2_pkg;
   localparam int unsigned FAMAX = `RC2_FAMAX;  // places in a cell's beam queue (FA)
   localparam int unsigned FEEDERS = `RC2_FEEDERS;  // words per cycle from the host; a power of two
 
-  localparam bit LAYERS = (`RC2_LAYERS != 0);  // columns know shown, inside and thin, not only armour
+  localparam bit LAYERS = (`RC2_LAYERS != 0);  // columns know shown, inside and guard, not only armour
   localparam bit THESIS = (`RC2_THESIS != 0);  // light as in thesis 4.4, else in lanes (rtl/lanes)
   localparam bit COUNTS = (`RC2_COUNTS != 0);  // columns count targets, else they know only lit or not
   localparam bit SKIPS = (`RC2_SKIPS != 0);    // in lanes: light that can meet nothing ends early
@@ -58,20 +58,23 @@ package rc2_pkg;
   localparam int unsigned OffW = CoordW + 1;                  // signed -(N-1) .. N-1
   localparam int unsigned CountW = $clog2(N + 1);             // 0 .. N
   localparam int unsigned FacetW = 20;
-  // The gap between plane and voxel centre is kept in sixteenths of a voxel, -2 .. 2 voxels. On its
+  // The gap between plane and voxel centre is kept in sixteenths of a voxel, -4 .. 4 voxels. On its
   // way through a box it needs as many fraction bits more as make the error of N steps along each
-  // axis, half a unit each, 3/8 of a sixteenth; it is exact modulo four voxels.
+  // axis, half a unit each, 3/8 of a sixteenth; it is exact modulo eight voxels.
   localparam int unsigned GapFractionW = 4;
-  localparam int unsigned GapW = 2 + GapFractionW;
+  localparam int unsigned GapW = 3 + GapFractionW;
   localparam int unsigned GapValueW = CoordW + 2 + GapW;
   localparam int unsigned ClaimW = 1 + GapW + FacetW;
   localparam int unsigned LayerW = 2;
-  // Signs of the large components of a normal, 9(x+1) + 3(y+1) + (z+1).
-  localparam int unsigned FacingW = 5;
-  localparam int unsigned OppositeFacings = 26;  // the sum of two opposite ones
+  localparam int unsigned SurfaceW = 2;
+  // A component of an owner's normal, of which the largest is one; signed. With so many fraction bits
+  // the plane is right to 3/32 of a voxel at every place of the cube.
+  localparam int unsigned NormalFractionW = CoordW + 4;
+  localparam int unsigned NormalW = NormalFractionW + 2;
   // A plane coefficient is twice a projected area: at most (N*2^F)^2, which is reached; and a sign.
-  // The slab's width, a sum of three, fits without the sign.
+  // The slab's width is at most twice a sum of three and one more.
   localparam int unsigned PlaneW = 2 * (CoordW + F) + 2;
+  localparam int unsigned WidthW = PlaneW + 1;
   localparam int unsigned CoefW = (PlaneW > GapValueW) ? PlaneW : GapValueW;
   // A slab's or side's value at any cell: three coefficients times an extent of N voxels, half a
   // slab, sign.
@@ -102,16 +105,16 @@ package rc2_pkg;
   localparam logic [2:0] KindHead = 3'd0;  // lead {take, skip}, rest {layer, width, facet, zspan, z0}
   localparam logic [2:0] KindSlab = 3'd1;  // rest {c, d}: 0 <= c*z + d <= width
   localparam logic [2:0] KindSide = 3'd2;  // rest {push, c, d}: c*z + d >= 0; core: >= push
-  localparam logic [2:0] KindGap = 3'd3;   // rest {facing, c, d}: c*z + d is the gap of voxel z
+  localparam logic [2:0] KindGap = 3'd3;   // rest {surface, b, c, d}: c*z + d is the gap of voxel z
   localparam logic [2:0] KindRead = 3'd4;  // rest {what}: every cell appends its words
   localparam logic [2:0] KindData = 3'd5;  // one word read back: data_t
   localparam logic [2:0] KindEnd = 3'd6;   // of an object: every column adds its parity to inside
 
   localparam int unsigned LeadW = (2 * CountW > CoefW) ? 2 * CountW : CoefW;
-  localparam int unsigned HeadRestW = LayerW + PlaneW + FacetW + 2 * CoordW;
+  localparam int unsigned HeadRestW = LayerW + WidthW + FacetW + 2 * CoordW;
   localparam int unsigned SlabRestW = CoefW + DistW;
   localparam int unsigned SideRestW = PushW + SideW + DistW;
-  localparam int unsigned GapRestW = FacingW + GapValueW + DistW;
+  localparam int unsigned GapRestW = SurfaceW + NormalW + GapValueW + DistW;
   localparam int unsigned PlaneRestW = (SlabRestW > GapRestW) ? SlabRestW : GapRestW;
   localparam int unsigned LongRestW = (PlaneRestW > SideRestW) ? PlaneRestW : SideRestW;
   localparam int unsigned RestW = (HeadRestW > LongRestW) ? HeadRestW : LongRestW;
@@ -120,16 +123,22 @@ package rc2_pkg;
   localparam int unsigned RowWordW = KindW + RowPayloadW;
   localparam int unsigned HostWordW = KindW + HostPayloadW;
 
-  localparam logic [1:0] ReadVoxels = 2'd0;    // claim of the owner of each occupied voxel
-  localparam logic [1:0] ReadLight = 2'd1;     // targets arrived at each occupied voxel
-  localparam logic [1:0] ReadCounters = 2'd2;  // z=0: beams served; z=1: how deep the queue was
-  localparam logic [1:0] ReadLayers = 2'd3;    // {thin, inside, shown, armour} of each voxel in any
+  localparam logic [2:0] ReadVoxels = 3'd0;    // claim of the owner of each occupied voxel
+  localparam logic [2:0] ReadLight = 3'd1;     // targets arrived at each occupied voxel
+  localparam logic [2:0] ReadCounters = 3'd2;  // z=0: beams served; z=1: how deep the queue was
+  localparam logic [2:0] ReadLayers = 3'd3;    // {guard, inside, shown, armour} of each voxel in any
+  localparam logic [2:0] ReadEnds = 3'd4;      // z=0: targets that ended in voxels of the column
 
   // What a packet does with the voxels that it fills.
   localparam logic [1:0] LayerArmour = 2'd0;  // occupies and claims them
   localparam logic [1:0] LayerShown = 2'd1;   // marks them as shown
   localparam logic [1:0] LayerInside = 2'd2;  // flips the parity of them and all above them
-  localparam logic [1:0] LayerThin = 2'd3;    // marks those whose owner faces the other way
+  localparam logic [1:0] LayerGuard = 2'd3;   // claims those that are not occupied
+
+  // What a facet is part of.
+  localparam logic [1:0] SurfaceSolid = 2'd0;
+  localparam logic [1:0] SurfaceSheet = 2'd1;
+  localparam logic [1:0] SurfaceCrowd = 2'd2;
 
   typedef struct packed {
     logic              last;   // of the cell
@@ -147,6 +156,15 @@ package rc2_pkg;
     logic [FacetW-1:0] facet;
     logic              behind;
   } claim_t;
+
+  // What a column keeps of the owner's plane beside its claim.
+  typedef struct packed {
+    logic [SurfaceW-1:0] surface;
+    logic [NormalW-1:0]  x;
+    logic [NormalW-1:0]  y;
+    logic [NormalW-1:0]  z;
+  } plane_t;
+  localparam int unsigned OwnerPlaneW = SurfaceW + 3 * NormalW;
 
   // ---- Light -------------------------------------------------------------------------------
   // A beam: all targets [umin..umax] x [vmin..vmax] of one face whose rays are at voxel z of the

@@ -2,13 +2,19 @@
 //
 // The cell's column of voxels with what loads it and reads it back: a stage of the row's facet pipe,
 // the dexel unit (thesis 3.4), the fill unit and the memories. A packet's word takes one cycle in the
-// stage; what the dexel and the fill unit take is said there.
+// stage; what the dexel and the fill unit take is said there. Before an accurate light the column
+// looks up where it will stop (rc2_prepare).
 
 module rc2_voxels (
     /*verilator tracing_off*/
     input  logic                               clk_i,
     input  logic                               rst_ni,
+    input  logic           [rc2_pkg::CoordW-1:0] x_i,
+    input  logic           [rc2_pkg::CoordW-1:0] y_i,
     input  logic                               clear_i,
+    input  logic                               prepare_i,
+    input  logic                               accurate_i,  // rule of the light
+    input  rc2_pkg::light_t                    source_i,
     // row pipe: from the west, to the east
     input  logic                               word_valid_i,
     input  logic           [rc2_pkg::RowWordW-1:0] word_i,
@@ -20,8 +26,10 @@ module rc2_voxels (
     output logic           [     rc2_pkg::N-1:0] occupied_o,
     output logic                               fill_o,    // voxel fill_z_o is occupied from now on
     output logic           [rc2_pkg::CoordW-1:0] fill_z_o,
+    output logic           [     rc2_pkg::N-1:0] stops_o,
     output logic           [rc2_pkg::CoordW-1:0] light_addr_o,
     input  logic           [ rc2_pkg::HomeW-1:0] light_i,  // of the address in the cycle before
+    input  logic           [ rc2_pkg::HomeW-1:0] ends_i,
     input  logic           [rc2_pkg::ValueW-1:0] visits_i,
     input  logic [rc2_pkg::HistoryW-1:0] history_i,
     output logic                               busy_o
@@ -29,6 +37,8 @@ module rc2_voxels (
   localparam int unsigned N = rc2_pkg::N;
   localparam int unsigned CoordW = rc2_pkg::CoordW;
   localparam int unsigned RestW = rc2_pkg::RestW;
+  localparam int unsigned NormalW = rc2_pkg::NormalW;
+  localparam int unsigned GapPartW = NormalW + 2;  // of a gap's coefficient, at most one: its low bits
   localparam int unsigned RowPayloadW = rc2_pkg::RowPayloadW;
 
   /*verilator tracing_on*/
@@ -40,6 +50,7 @@ module rc2_voxels (
   logic stage_valid, unit_waits, unit_valid, unit_ready, stage_busy;
   logic [rc2_pkg::KindW-1:0] unit_kind;
   logic [RestW-1:0] unit_rest;
+  logic [rc2_pkg::LeadW-1:0] unit_lead;
   logic [rc2_pkg::RowWordW-1:0] stage_word;
   rc2_facet_stage #(
       .PayloadW(RowPayloadW)
@@ -52,6 +63,7 @@ module rc2_voxels (
       .unit_waits_o(unit_waits),
       .unit_valid_o(unit_valid),
       .unit_word_o ({unit_kind, unit_rest}),
+      .unit_lead_o (unit_lead),
       .unit_ready_i(unit_ready),
       .next_valid_o(stage_valid),
       .next_word_o (stage_word),
@@ -89,17 +101,24 @@ module rc2_voxels (
   );
 
   logic fill;
-  logic [CoordW-1:0] fill_z, owner_addr;
+  logic [CoordW-1:0] fill_z, fill_addr;
   rc2_pkg::claim_t fill_owner, owner;
-  logic show, flip, thin;
-  logic [rc2_pkg::FacingW-1:0] fill_facing, facing;
+  rc2_pkg::plane_t word_plane, fill_plane, plane;
+  logic show, flip, guard;
+  logic [N-1:0] guarded, solid;
+  // What the gap rises by in a voxel, rounded (sw/machine/plane.h): a is the lead of the cells; of b,
+  // the lead of the rows, the host has put a copy into the rest.
+  assign word_plane.x = NormalW'(($signed(unit_lead[GapPartW-1:0]) + GapPartW'(2)) >>> 2);
+  assign word_plane.z = NormalW'(($signed(unit_rest[rc2_pkg::DistW+:GapPartW]) + GapPartW'(2)) >>> 2);
+  assign {word_plane.surface, word_plane.y} =
+      unit_rest[rc2_pkg::DistW+rc2_pkg::GapValueW+:rc2_pkg::SurfaceW+NormalW];
   rc2_fill u_fill (
       .clk_i        (clk_i),
       .rst_ni       (rst_ni),
       .valid_i      (dexel_valid && unit_valid),
       .facet_i      (dexel_facet),
       .layer_i      (dexel_layer),
-      .facing_i     (unit_rest[rc2_pkg::DistW+rc2_pkg::GapValueW+:rc2_pkg::FacingW]),
+      .plane_i      (word_plane),
       .z0_i         (dexel_z0),
       .lo_i         (dexel_lo),
       .hi_i         (dexel_hi),
@@ -109,16 +128,16 @@ module rc2_voxels (
       .gap_d_i      (unit_rest[rc2_pkg::GapValueW-1:0]),
       .ready_o      (fill_ready),
       .occupied_i   (occupied),
-      .read_addr_o  (owner_addr),
+      .guard_i      (guarded),
+      .read_addr_o  (fill_addr),
       .read_owner_i (owner),
-      .read_facing_i(facing),
       .write_o      (fill),
-      .write_facing_o(fill_facing),
+      .guard_o      (guard),
       .show_o       (show),
       .flip_o       (flip),
-      .thin_o       (thin),
       .write_addr_o (fill_z),
       .write_owner_o(fill_owner),
+      .write_plane_o(fill_plane),
       .busy_o       (fill_busy)
   );
 
@@ -126,7 +145,8 @@ module rc2_voxels (
   assign fill_z_o = fill_z;
 
   // ---- The column and its readback -----------------------------------------------------------------
-  logic read, read_done, data_valid, column_busy;
+  logic read, read_done, data_valid, column_busy, preparing;
+  logic [CoordW-1:0] prepare_addr;
   rc2_pkg::data_t data;
   assign read = unit_valid && is_read && !fill_busy;
   rc2_column u_column (
@@ -134,23 +154,26 @@ module rc2_voxels (
       .rst_ni           (rst_ni),
       .clear_i          (clear_i),
       .occupied_o       (occupied),
+      .guard_o          (guarded),
+      .solid_o          (solid),
       .owner_o          (owner),
-      .owner_addr_i     (owner_addr),
+      .owner_addr_i     (preparing ? prepare_addr : fill_addr),
       .fill_i           (fill),
       .fill_z_i         (fill_z),
       .fill_owner_i     (fill_owner),
-      .facing_o         (facing),
-      .fill_facing_i    (fill_facing),
+      .plane_o          (plane),
+      .fill_plane_i     (fill_plane),
+      .guard_i          (guard),
       .show_i           (show),
       .flip_i           (flip),
-      .thin_i           (thin),
       .end_i            (unit_valid && is_end && !fill_busy),
       .light_addr_o     (light_addr_o),
       .light_i          (light_i),
+      .ends_i           (ends_i),
       .visits_i         (visits_i),
       .history_i        (history_i),
       .read_i           (read),
-      .read_what_i      (unit_rest[1:0]),
+      .read_what_i      (unit_rest[2:0]),
       .read_done_o      (read_done),
       .read_done_taken_i(unit_valid && is_read && read_done),
       .data_valid_o     (data_valid),
@@ -166,7 +189,33 @@ module rc2_voxels (
       {rc2_pkg::KindData, {(RowPayloadW - rc2_pkg::DataW) {1'b0}}, data} :
       stage_word;
 
-  assign busy_o = stage_busy || fill_busy || column_busy;
+  // ---- Where light stops ---------------------------------------------------------------------------
+  if (rc2_pkg::LAYERS && !rc2_pkg::THESIS) begin : g_prepare
+    logic [N-1:0] stops;
+    rc2_prepare u_prepare (
+        .clk_i     (clk_i),
+        .rst_ni    (rst_ni),
+        .start_i   (prepare_i),
+        .x_i       (x_i),
+        .y_i       (y_i),
+        .light_i   (source_i),
+        .occupied_i(occupied),
+        .guard_i   (guarded),
+        .solid_i   (solid),
+        .addr_o    (prepare_addr),
+        .owner_i   (owner),
+        .plane_i   (plane),
+        .stops_o   (stops),
+        .busy_o    (preparing)
+    );
+    assign stops_o = accurate_i ? stops : occupied;
+  end else begin : g_occupied
+    assign prepare_addr = '0;
+    assign preparing = 1'b0;
+    assign stops_o = occupied;
+  end
+
+  assign busy_o = stage_busy || fill_busy || column_busy || preparing;
 
   // Contract: the row pipe carries one word at a time.
   always_ff @(posedge clk_i) begin

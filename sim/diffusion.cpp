@@ -24,6 +24,7 @@ struct DiffusionOptions {
   std::vector<int> queues = {8};
   std::vector<std::string> modes = {"thesis", "fast"};
   std::vector<std::string> skips = {"on"};
+  std::vector<std::string> rules = {"thesis"};
   std::string out;
 };
 
@@ -59,10 +60,13 @@ void measure(const std::string& scene, int n, LightMode mode, bool skips,
   for (const LightSource& source : choose_sources(name, machine.read_voxels(), n)) {
     for (const int distance : {n - 1, 2 * n}) {
       for (const int fa : options.queues) {
-        const LightJob job{source.voxel, distance, fa};
-        Best watch;
-        const LightResult light = watch.time([&] { return machine.light(job, bar.step(title)); });
-        all.push_back({name, n, mode, skips, source.name, job, light, watch.seconds()});
+        for (const std::string& rule : options.rules) {
+          const LightJob job{source.voxel, distance, fa, parse_light_rule(rule)};
+          if (job.rule == LightRule::accurate && mode == LightMode::thesis) continue;
+          Best watch;
+          const LightResult light = watch.time([&] { return machine.light(job, bar.step(title)); });
+          all.push_back({name, n, mode, skips, source.name, job, light, watch.seconds()});
+        }
       }
     }
   }
@@ -73,13 +77,14 @@ void print(const std::vector<Measured>& all) {
       "Light on the cycle model. The bound: P cycles for each step to the farthest face, and for\n"
       "the step there. The fast mode always takes them, the thesis's ends when no beam is left.\n"
       "Where a source would stand in a voxel of the scene, the nearest free one is taken.\n\n"
-      "{:<20}{:>5}  {:<8}{:>5}{:>4}  {:<7}{:<5}{:>9}{:>7}{:>8}{:>13}{:>12}{:>9}\n",
-      "scene", "n", "source", "L", "FA", "mode", "skip", "T", "bound", "excess", "visits", "merged",
-      "deepest");
+      "{:<20}{:>5}  {:<8}{:>5}{:>4}  {:<7} {:<9} {:<5}{:>8}{:>9}{:>7}{:>8}{:>13}{:>12}{:>9}\n",
+      "scene", "n", "source", "L", "FA", "mode", "rule", "skip", "prepare", "T", "bound", "excess",
+      "visits", "merged", "deepest");
   for (const Measured& row : all) {
-    fmt::print("{:<20}{:>5}  {:<8}{:>5}{:>4}  {:<7}{:<5}{:>9}{:>7}{:>8}{:>13}{:>12}{:>9}\n",
+    fmt::print("{:<20}{:>5}  {:<8}{:>5}{:>4}  {:<7} {:<9} {:<5}{:>8}{:>9}{:>7}{:>8}{:>13}{:>12}{:>9}\n",
                row.scene, row.n, row.source, row.job.target_distance, row.job.fa,
-               to_string(row.mode), row.skips ? "on" : "off", row.light.cycles, row.bound(),
+               to_string(row.mode), to_string(row.job.rule), row.skips ? "on" : "off",
+               row.light.prepare_cycles, row.light.cycles, row.bound(),
                row.light.cycles - row.bound(), row.light.visits, row.light.merged,
                row.light.max_queue);
   }
@@ -87,15 +92,17 @@ void print(const std::vector<Measured>& all) {
 
 std::string to_csv(const std::vector<Measured>& all) {
   std::string csv =
-      "scene,n,source,x,y,z,L,fa,mode,skip,P,kmax,T,bound,excess,visits,merged,deepest,seconds\n";
+      "scene,n,source,x,y,z,L,fa,mode,rule,skip,P,kmax,prepare,T,bound,excess,visits,merged,deepest,"
+      "seconds\n";
   for (const Measured& row : all) {
     const glm::ivec3 at = row.job.source;
-    csv +=
-        fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:.6f}\n", row.scene,
-                    row.n, row.source, at.x, at.y, at.z, row.job.target_distance, row.job.fa,
-                    to_string(row.mode), row.skips ? "on" : "off", hop_stages(row.mode),
-                    row.farthest(), row.light.cycles, row.bound(), row.light.cycles - row.bound(),
-                    row.light.visits, row.light.merged, row.light.max_queue, row.seconds);
+    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:.6f}\n",
+                       row.scene, row.n, row.source, at.x, at.y, at.z, row.job.target_distance,
+                       row.job.fa, to_string(row.mode), to_string(row.job.rule),
+                       row.skips ? "on" : "off", hop_stages(row.mode), row.farthest(),
+                       row.light.prepare_cycles, row.light.cycles, row.bound(),
+                       row.light.cycles - row.bound(), row.light.visits, row.light.merged,
+                       row.light.max_queue, row.seconds);
   }
   return csv;
 }
@@ -105,6 +112,8 @@ ExitCode measure_diffusion(const DiffusionOptions& options) {
   if (!options.out.empty()) outputs.add_file(options.out);
   ProgressBar bar;
   std::vector<Measured> all;
+  const bool with_layers =
+      std::find(options.rules.begin(), options.rules.end(), "accurate") != options.rules.end();
   for (const std::string& scene : options.scenes) {
     for (const int n : options.sides) {
       SceneOptions loaded;
@@ -112,7 +121,7 @@ ExitCode measure_diffusion(const DiffusionOptions& options) {
       loaded.n = n;
       check_options(loaded);
       within_memory(n, [&] {
-        const facet::PacketStream packets = prepare(loaded).facets.packets;
+        const facet::PacketStream packets = prepare(loaded, with_layers).facets.packets;
         for (const std::string& mode : options.modes) {
           for (const std::string& skip : options.skips) {
             measure(loaded.scene, n, parse_light_mode(mode), skip == "on", packets, options, bar,
@@ -157,6 +166,12 @@ void declare_diffusion(CLI::App& program, ExitCode& exit_code) {
                    "In fast mode, whether light that can meet nothing ends early: on, off")
       ->delimiter(',')
       ->check(CLI::IsMember({"on", "off"}))
+      ->capture_default_str();
+  command
+      ->add_option("--light-rule", options->rules,
+                   "Where light ends: thesis, accurate (fast mode only)")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"thesis", "accurate"}))
       ->capture_default_str();
   command->add_option("--out", options->out, "Write the table to this CSV file")
       ->type_name("FILE.csv");

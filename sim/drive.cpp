@@ -2,13 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "sw/facet/blocking.h"
 #include "sw/report/laws.h"
 
 namespace rc2 {
 
 void Drive::load(const facet::FacetSet& facets) {
-  facets_ = &facets.facets;
   load_ = machine_.load(facets.packets, bar_.step("loading on " + name_));
   memories_ = {machine_.read_voxels(), {}};
   bar_.wipe();
@@ -19,10 +17,7 @@ std::vector<LightResult> Drive::light(const std::vector<Lamp>& lamps, int target
                                       LightRule rule) {
   std::vector<LightResult> results;
   for (const Lamp& lamp : lamps) {
-    std::vector<bool> blocking;
-    if (rule == LightRule::accurate)
-      blocking = facet::find_blocking(*facets_, lamp.voxel, machine_.config().fraction_bits);
-    const LightJob job{lamp.voxel, target_distance, fa, rule, &blocking};
+    const LightJob job{lamp.voxel, target_distance, fa, rule};
     const auto progress =
         bar_.step(fmt::format("light {} of {} on {}", results.size() + 1, lamps.size(), name_));
     results.push_back(machine_.light(job, progress));

@@ -35,7 +35,6 @@ class Drive {
   Machine& machine_;
   std::string name_;
   ProgressBar& bar_;
-  const std::vector<facet::FacetInfo>* facets_ = nullptr;
   LoadResult load_;
   report::Memories memories_;
 };

@@ -17,8 +17,8 @@
 #include "sim/outputs.h"
 #include "sim/progress_bar.h"
 #include "sw/base/replace_file.h"
-#include "sw/facet/blocking.h"
 #include "sw/facet/layers.h"
+#include "sw/facet/turns_away.h"
 #include "sw/golden/golden_machine.h"
 #include "sw/machine/checks.h"
 #include "sw/report/laws.h"
@@ -102,14 +102,12 @@ void measure(const std::string& name, int n, const LightErrorOptions& options, P
     const glm::ivec3 light = free_voxel(layers, n, share);
     const std::vector<truth::Verdict> verdicts =
         truth::judge(surface, samples, shown.places(), light);
-    const std::vector<bool> blocking =
-        facet::find_blocking(facets.facets, light, options.fraction_bits);
     std::vector<bool> away;
     for (const facet::FacetInfo& facet : facets.facets)
       away.push_back(facet::turns_away(facet, light, options.fraction_bits));
     for (const int reach : options.reaches) {
       for (const std::string& rule : options.rules) {
-        const LightJob job{light, reach * n, 1, parse_light_rule(rule), &blocking};
+        const LightJob job{light, reach * n, 1, parse_light_rule(rule)};
         const auto progress =
             bar.step(fmt::format("{}, n = {}, L = {}, {}", title, n, reach * n, rule));
         const LightResult result = machine.light(job, progress);

@@ -34,6 +34,12 @@ bool SceneOptions::fitted() const {
   return fit.empty() ? !scene::is_generated_name(scene) : fit == "cube";
 }
 
+LightRule RunOptions::rule_of_light() const {
+  if (!light_rule.empty()) return parse_light_rule(light_rule);
+  return light_mode() == LightMode::fast && rule == "armoured" ? LightRule::accurate
+                                                               : LightRule::thesis;
+}
+
 void declare_scene_options(CLI::App& command, SceneOptions& options, const std::string& machine) {
   options.machine = machine;
   command
@@ -79,9 +85,9 @@ void declare_run_options(CLI::App& command, RunOptions& options) {
   command
       .add_option("--light-rule", options.light_rule,
                   "Where light ends; thesis: in every occupied voxel; accurate: where facets turn "
-                  "away from it, and inside solids")
-      ->check(CLI::IsMember({"thesis", "accurate"}))
-      ->capture_default_str();
+                  "away from it, inside solids and behind sheets (default: accurate in fast mode "
+                  "with --rule armoured, else thesis)")
+      ->check(CLI::IsMember({"thesis", "accurate"}));
   command.add_option("--target-distance", options.target_distance,
                      "Distance L of the virtual faces that light aims at, in voxels (default 2n)");
   command
@@ -130,10 +136,11 @@ void check_options(RunOptions& options) {
   constexpr std::int64_t kLongest = 1'000'000'000'000;
   check_range<std::int64_t>("--waves-from", options.waves_from, 0, kLongest);
   check_range<std::int64_t>("--waves-cycles", options.waves_cycles, 1, kLongest);
-  if (options.rule_of_light() == LightRule::accurate && options.machine != "golden") {
-    throw Error(fmt::format(
-        "--light-rule accurate: the {} machine knows the thesis's rule only; use --machine golden",
-        options.machine));
+  if (options.light_rule == "accurate" && options.light_mode() == LightMode::thesis &&
+      options.machine != "golden") {
+    throw Error(
+        "--light-rule accurate: in thesis mode light ends as in the thesis; leave out --mode or "
+        "--light-rule");
   }
   if (!options.waves.empty() && options.machine != "rtl") {
     throw Error(fmt::format("--waves {}: the {} model has no signals to show; use --machine rtl",

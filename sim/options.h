@@ -31,7 +31,7 @@ struct SceneOptions {
 
 struct RunOptions : SceneOptions {
   std::vector<std::string> lights;
-  std::string light_rule = "thesis";
+  std::string light_rule;  ///< empty: accurate where the mode and --rule allow it
   std::optional<int> target_distance;
   int fa = 16;
   std::string mode = "fast";
@@ -42,7 +42,7 @@ struct RunOptions : SceneOptions {
   std::int64_t waves_cycles = 10000;
 
   LightMode light_mode() const { return parse_light_mode(mode); }
-  LightRule rule_of_light() const { return parse_light_rule(light_rule); }
+  LightRule rule_of_light() const;
   int distance() const { return target_distance.value_or(2 * n); }
 
   /// What a machine must have been built for.

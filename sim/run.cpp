@@ -30,7 +30,7 @@ report::Report describe(const RunOptions& options, const Job& job) {
   report.fit = options.fitted() ? "cube" : "none";
   report.machine = options.machine;
   report.rule = options.rule;
-  report.light_rule = options.light_rule;
+  report.light_rule = to_string(options.rule_of_light());
   report.mode = options.mode;
   report.hop_stages = hop_stages(options.light_mode());
   report.n = options.n;

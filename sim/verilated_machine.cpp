@@ -50,7 +50,7 @@ class VerilatedMachine final : public Machine {
     if (read_register(kPacketBits) != static_cast<std::uint32_t>(format_.packet_bits()) ||
         read_register(kReadbackBits) != static_cast<std::uint32_t>(format_.readback_bits()) ||
         read_register(kFacetNumberBits) != kFacetBits ||
-        read_register(kGapAndFacing) != WordFormat::gap_and_facing()) {
+        read_register(kGapAndNormal) != WordFormat::gap_and_normal(config_.n)) {
       throw std::logic_error("rtl/rc2_pkg.sv and sw/machine/host_word.h disagree about a word");
     }
   }
@@ -87,6 +87,7 @@ class VerilatedMachine final : public Machine {
   }
 
   LightResult light(const LightJob& job, const Progress& progress) override {
+    check_light(config_, job);
     write_register(kSourceX, static_cast<std::uint32_t>(job.source.x));
     write_register(kSourceY, static_cast<std::uint32_t>(job.source.y));
     write_register(kSourceZ, static_cast<std::uint32_t>(job.source.z));
@@ -97,9 +98,15 @@ class VerilatedMachine final : public Machine {
     LightResult result;
     result.targets.total = total_targets(job.target_distance);
     write_register(kTargets, static_cast<std::uint32_t>(result.targets.total));
+    write_register(kRule, job.rule == LightRule::accurate ? kRuleAccurate : 0);
     if (!waves_.path.empty() && !waves_listed_) {
       write_wave_list(waves_.path, config_, job.source, cycle_);
       waves_listed_ = true;
+    }
+    if (job.rule == LightRule::accurate) {
+      write_register(kCommand, kCommandPrepare);
+      wait_until_idle();
+      result.prepare_cycles = read_register(kBusyCycles);
     }
     write_register(kCommand, kCommandStart);
 
@@ -129,8 +136,11 @@ class VerilatedMachine final : public Machine {
     light_.clear();
     for (const auto& record : counts) {
       light_.push_back(record.value);
-      if (config_.counts) result.targets.absorbed += record.value;
+      if (config_.mode == LightMode::thesis) result.targets.absorbed += record.value;
     }
+    // Light in lanes goes on through voxels that it lights.
+    if (config_.counts && config_.mode == LightMode::fast)
+      for (const auto& cell : read_back(ReadWhat::ends)) result.targets.absorbed += cell.value;
     result.targets.skipped = read_register(kSkipped);
     result.targets.escaped = home - result.targets.absorbed - result.targets.skipped;
     if (config_.counts && !all_home) {
@@ -221,6 +231,7 @@ class VerilatedMachine final : public Machine {
     config.mode = (build & kBuildThesis) != 0 ? LightMode::thesis : LightMode::fast;
     config.counts = (build & kBuildCounts) != 0;
     config.skips = (build & kBuildSkips) != 0;
+    config.accurate_light = config.layers && config.mode == LightMode::fast;
     if (read_register(kInverseBits) > 32) {
       throw std::logic_error("rtl/rc2_machine.sv: 1/L does not fit its register");
     }

@@ -36,7 +36,7 @@ void print_layers(const facet::FacetSet& facets, const LayerMemory& voxels) {
   print("armour", facet::Layer::armour, &LayerRecord::armour);
   print("shown", facet::Layer::shown, &LayerRecord::shown);
   print("inside", facet::Layer::inside, &LayerRecord::inside);
-  print("thin", facet::Layer::thin, &LayerRecord::thin);
+  print("guard", facet::Layer::guard, &LayerRecord::guard);
   fmt::print(
       "solids                 {}\n"
       "of them, holes capped  {}\n"
@@ -89,7 +89,7 @@ void declare_voxelize(CLI::App& program, ExitCode& exit_code) {
   declare_scene_options(*command, *options, "golden");
   command
       ->add_option("--layers", options->layers,
-                   "one: what the facets fill; all: also what is shown, inside solids and thin")
+                   "one: what the facets fill; all: also what is shown, inside solids and guards")
       ->check(CLI::IsMember({"one", "all"}))
       ->capture_default_str();
   command->callback([options, &exit_code] {

@@ -39,6 +39,7 @@ module rc2_counts (
     // readback
     input  logic        [rc2_pkg::CoordW-1:0] read_addr_i,
     output logic        [rc2_pkg::HomeW-1:0] count_o,   // of the address in the cycle before
+    output logic        [rc2_pkg::HomeW-1:0] ends_o,    // targets that ended in voxels of the column
     // targets on their way home
     input  logic        [rc2_pkg::HomeW-1:0] home_i,
     output logic        [rc2_pkg::HomeW-1:0] home_o,
@@ -111,7 +112,7 @@ module rc2_counts (
   assign inside_max = (load_max > cube_max) ? cube_max : load_max;
   assign inside_v = (inside_max >= inside_min) ? inside_max - inside_min + 32'd1 : 32'd0;
 
-  logic [HomeW-1:0] done, done_q, home_q, dropped, dropped_q, skipped_q;
+  logic [HomeW-1:0] done, done_q, home_q, dropped, dropped_q, skipped_q, ends_q;
   always_comb begin
     done = '0;
     dropped = '0;
@@ -145,7 +146,7 @@ module rc2_counts (
     assign end_of = (high_target < served_end) ? high_target : served_end;
     assign side = (serve_i && !source && occupied_i[z] && end_of >= first) ?
         served_all * HomeW'(end_of - first + 32'sd1) : '0;
-    assign lane = (stopped_i && z_i == CoordW'(z)) ? front_all : '0;
+    assign lane = (reached_i && occupied_i[z] && z_i == CoordW'(z)) ? front_all : '0;
     always_ff @(posedge clk_i) begin
       if (start_i) count_q[z] <= '0;
       else count_q[z] <= count_q[z] + side + lane;
@@ -170,8 +171,13 @@ module rc2_counts (
       y_all_q  <= y_all_i;
       y_kept_q <= y_kept_i;
     end
+    if (start_i) ends_q <= '0;
+    else
+      ends_q <= ends_q + (stopped_i ? front_all : '0) +
+                (serve_i ? served_all * HomeW'(served_v - free_v) : '0);
     count_o <= count_q[read_addr_i];
   end
   assign home_o = home_q;
   assign skipped_o = skipped_q;
+  assign ends_o = ends_q;
 endmodule

@@ -38,7 +38,7 @@ module rc2_dexel (
   localparam int unsigned CoordW = rc2_pkg::CoordW;
   localparam int unsigned CoefW = rc2_pkg::CoefW;
   localparam int unsigned DistW = rc2_pkg::DistW;
-  localparam int unsigned PlaneW = rc2_pkg::PlaneW;
+  localparam int unsigned WidthW = rc2_pkg::WidthW;
   localparam int unsigned SideW = rc2_pkg::SideW;
   localparam int unsigned PushW = rc2_pkg::PushW;
   // |d| + reach + |c|, each below 2^DistW, and a sign.
@@ -50,12 +50,12 @@ module rc2_dexel (
   // ---- The packet's box ----------------------------------------------------------------------
   logic [rc2_pkg::FacetW-1:0] facet_q;
   logic [rc2_pkg::LayerW-1:0] layer_q;
-  logic [PlaneW-1:0] width_q;
+  logic [WidthW-1:0] width_q;
   logic [CoordW-1:0] z0_q, lo_q, hi_q, core_lo_q, core_hi_q;
   logic [CoordW:0] top_q;  // one-hot: 2^bits(range), the first quotient surely above the range
 
   logic [rc2_pkg::LayerW-1:0] head_layer;
-  logic [PlaneW-1:0] head_width;
+  logic [WidthW-1:0] head_width;
   logic [rc2_pkg::FacetW-1:0] head_facet;
   logic [CoordW-1:0] head_span, head_z0;
   assign {head_layer, head_width, head_facet, head_span, head_z0} = rest_i[rc2_pkg::HeadRestW-1:0];
@@ -77,11 +77,11 @@ module rc2_dexel (
   // ---- The word's bounds: a, and b with e = d - reach or its opposite --------------------------
   logic signed [CoefW-1:0] c;
   logic signed [DistW-1:0] d;
-  logic [CoefW-1:0] reach;
+  logic [WidthW-1:0] reach;
   assign d = $signed(rest_i[DistW-1:0]);
   assign c = is_slab ? $signed(rest_i[DistW+CoefW-1:DistW])
                      : $signed({{(CoefW - SideW) {rest_i[DistW+SideW-1]}}, rest_i[DistW+SideW-1:DistW]});
-  assign reach = is_slab ? CoefW'(width_q) : CoefW'(rest_i[DistW+SideW+PushW-1:DistW+SideW]);
+  assign reach = is_slab ? width_q : WidthW'(rest_i[DistW+SideW+PushW-1:DistW+SideW]);
 
   logic flat, lower_a, lower_b;
   assign flat = (c == 0);
@@ -92,7 +92,7 @@ module rc2_dexel (
   logic signed [NumW-1:0] e_a, beyond, e_b, divisor_less, num_a, num_b;
   assign divisor = c[CoefW-1] ? $unsigned(-c) : $unsigned(c);
   assign e_a = {{(NumW - DistW) {d[DistW-1]}}, d};
-  assign beyond = e_a - $signed({{(NumW - CoefW) {1'b0}}, reach});
+  assign beyond = e_a - $signed({{(NumW - WidthW) {1'b0}}, reach});
   assign e_b = is_slab ? -beyond : beyond;
   assign divisor_less = $signed({{(NumW - CoefW) {1'b0}}, divisor}) - 1'b1;
   assign num_a = lower_a ? divisor_less - e_a : e_a;  // floor(num/divisor) bounds z

@@ -25,6 +25,7 @@ module rc2_facet_stage #(
     output logic                 unit_waits_o,  // a word for it waits, even if it cannot leave
     output logic                 unit_valid_o,
     output logic [UnitWordW-1:0] unit_word_o,
+    output logic [rc2_pkg::LeadW-1:0] unit_lead_o,
     input  logic                 unit_ready_i,
     // to the stage after
     output logic                 next_valid_o,
@@ -101,6 +102,7 @@ module rc2_facet_stage #(
 
   assign next_word_o = {kind, lead_next, rest_next};
   assign unit_word_o = {kind, rest};
+  assign unit_lead_o = lead;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin

@@ -4,9 +4,9 @@
 // overlap the best claim owns the voxel (rc2_pkg::claim_t), whatever the order of arrival: the
 // owner is read one cycle before it is written.
 //
-// Packets of the other layers walk as well, but write nothing into the owner's memory: the voxel that
-// the walk has just left is marked as shown, or as thin if its owner faces the opposite way; a packet
-// of the layer "inside" flips the parity from the dexel's low end up, in one step.
+// A guard claims likewise, but what is occupied it leaves alone. Packets of the other layers walk as
+// well, but write nothing into the owner's memory: the voxel that the walk has just left is marked as
+// shown; a packet of the layer "inside" flips the parity from the dexel's low end up, in one step.
 //
 // The gap at the dexel's low end is gap_c * lo + gap_d, added up bit by bit. A dexel lo..hi keeps
 // the unit for bits(lo) + hi - lo + 1 cycles, and the last write falls in the cycle after them.
@@ -17,7 +17,7 @@ module rc2_fill (
     input  logic                         valid_i,
     input  logic [  rc2_pkg::FacetW-1:0] facet_i,
     input  logic [  rc2_pkg::LayerW-1:0] layer_i,
-    input  logic [ rc2_pkg::FacingW-1:0] facing_i,
+    input  rc2_pkg::plane_t              plane_i,
     input  logic [  rc2_pkg::CoordW-1:0] z0_i,         // the others count from here
     input  logic [  rc2_pkg::CoordW-1:0] lo_i,
     input  logic [  rc2_pkg::CoordW-1:0] hi_i,
@@ -28,16 +28,16 @@ module rc2_fill (
     output logic                         ready_o,
     // the column's memory
     input  logic [       rc2_pkg::N-1:0] occupied_i,
+    input  logic [       rc2_pkg::N-1:0] guard_i,
     output logic [  rc2_pkg::CoordW-1:0] read_addr_o,
     input  rc2_pkg::claim_t              read_owner_i,
-    input  logic [ rc2_pkg::FacingW-1:0] read_facing_i,
-    output logic                         write_o,
-    output logic [ rc2_pkg::FacingW-1:0] write_facing_o,
+    output logic                         write_o,      // the owner of an occupied voxel
+    output logic                         guard_o,      // the owner of a guard
     output logic                         show_o,
     output logic                         flip_o,
-    output logic                         thin_o,
     output logic [  rc2_pkg::CoordW-1:0] write_addr_o,
     output rc2_pkg::claim_t              write_owner_o,
+    output rc2_pkg::plane_t              write_plane_o,
     output logic                         busy_o
 );
   localparam int unsigned CoordW = rc2_pkg::CoordW;
@@ -47,7 +47,7 @@ module rc2_fill (
   logic seeking_q, walking_q, writing_q;
   logic [rc2_pkg::FacetW-1:0] facet_q;
   logic [rc2_pkg::LayerW-1:0] layer_q, written_layer_q;
-  logic [rc2_pkg::FacingW-1:0] facing_q, written_facing_q;
+  rc2_pkg::plane_t plane_q, written_plane_q;
   logic [CoordW-1:0] z0_q, z_q, end_q, core_lo_q, core_hi_q;
   logic [CoordW-1:0] to_seek_q;  // bits of lo that the gap still lacks
   logic [GapValueW-1:0] gap_q, step_q, shifted_step_q;
@@ -61,15 +61,14 @@ module rc2_fill (
   assign write_owner_o = written_q;
   assign write_o = writing_q && (written_layer_q == rc2_pkg::LayerArmour) &&
                    (!occupied_i[written_z_q] || written_q < read_owner_i);
-  assign write_facing_o = written_facing_q;
+  assign guard_o = writing_q && (written_layer_q == rc2_pkg::LayerGuard) &&
+                   !occupied_i[written_z_q] && (!guard_i[written_z_q] || written_q < read_owner_i);
+  assign write_plane_o = written_plane_q;
   assign show_o = writing_q && (written_layer_q == rc2_pkg::LayerShown);
   assign flip_o = writing_q && (written_layer_q == rc2_pkg::LayerInside);
-  assign thin_o = writing_q && (written_layer_q == rc2_pkg::LayerThin) &&
-                  occupied_i[written_z_q] &&
-                  (32'(written_facing_q) + 32'(read_facing_i) == rc2_pkg::OppositeFacings);
 
   logic seeks;
-  assign seeks = (layer_i == rc2_pkg::LayerArmour) && (lo_i != 0);
+  assign seeks = (layer_i == rc2_pkg::LayerArmour || layer_i == rc2_pkg::LayerGuard) && (lo_i != 0);
 
   logic [CoordW-1:0] to_seek_next;
   logic [GapValueW-1:0] added;
@@ -107,7 +106,7 @@ module rc2_fill (
       z_q            <= lo_i;
       end_q          <= (layer_i == rc2_pkg::LayerInside) ? lo_i : hi_i;
       layer_q        <= layer_i;
-      facing_q       <= facing_i;
+      plane_q        <= plane_i;
       core_lo_q      <= core_lo_i;
       core_hi_q      <= core_hi_i;
       to_seek_q      <= lo_i;
@@ -123,7 +122,7 @@ module rc2_fill (
     written_z_q <= z0_q + z_q;
     written_q   <= claim;
     written_layer_q  <= layer_q;
-    written_facing_q <= facing_q;
+    written_plane_q  <= plane_q;
   end
 
   // Contract: never past the dexel's end.

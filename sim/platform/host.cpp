@@ -91,6 +91,9 @@ LightResult Host::light(const LightJob& job, const Progress& /*progress*/) {
   write_register(kTargets, static_cast<std::uint32_t>(result.targets.total));
   write_register(kInverse,
                  inverse_of(job.target_distance, static_cast<int>(read_register(kInverseBits))));
+  const bool accurate = job.rule == LightRule::accurate;
+  write_register(kRule, accurate ? kRuleAccurate : 0);
+  if (accurate) write_register(kCommand, kCommandPrepare);
   write_register(kCommand, kCommandStart);
   while ((read_register(kStatus) & (kStatusBusy | kStatusHome)) != kStatusHome) {
   }
@@ -99,7 +102,8 @@ LightResult Host::light(const LightJob& job, const Progress& /*progress*/) {
   result.visits = static_cast<std::int64_t>(read_register(tlm::kVisitsHigh)) << 32 |
                   read_register(tlm::kVisitsLow);
   result.max_queue = read_register(tlm::kDeepestQueue);
-  for (const std::uint32_t arrived : read_light()) result.targets.absorbed += arrived;
+  result.prepare_cycles = read_register(tlm::kPrepareCycles);
+  result.targets.absorbed = read_register(tlm::kAbsorbed);
   result.targets.skipped = read_register(kSkipped);
   result.targets.escaped = read_register(kHome) - result.targets.absorbed - result.targets.skipped;
   return result;

@@ -20,7 +20,7 @@ namespace {
 
 int render(RunOptions& options) {
   check_options(options);
-  const Job job = prepare(options);
+  const Job job = prepare(options, options.rule_of_light() == LightRule::accurate);
   Lamps lamps = choose_lamps(options.lights, job.scene, options.n);
   Outputs outputs;
   outputs.add_folder(options.out);

@@ -40,7 +40,7 @@ struct MachineConfig {
   int max_distance = 64;  ///< largest distance L of the virtual faces
   int max_fa = 32;        ///< deepest beam queue (FA) of a cell
   int feeders = 1;        ///< row feeders that the host port serves; a power of two <= n
-  bool layers = true;     ///< columns know shown, inside and thin voxels, not only armour
+  bool layers = true;     ///< columns know shown, inside and guard voxels, not only armour
   LightMode mode = LightMode::fast;
   bool counts = true;           ///< read_light() says how many targets arrived, not only if any did
   bool skips = true;            ///< in fast mode: light that can meet nothing ends early
@@ -60,29 +60,37 @@ constexpr int bits_for(long long count) {
 /// Bits of one coordinate (at least one, as in hardware).
 constexpr int coordinate_bits(int n) { return n <= 2 ? 1 : bits_for(n); }
 
-/// A gap is kept in sixteenths of a voxel, -2 .. 2 voxels (sw/machine/claim.h).
+/// A gap is kept in sixteenths of a voxel, -4 .. 4 voxels (sw/machine/claim.h).
 constexpr int kGapFractionBits = 4;
-constexpr int kGapBits = 6;
+constexpr int kGapBits = 7;
 
 /// What a machine keeps of a voxel's owner: core, gap, facet number.
 constexpr int kClaimBits = 1 + kGapBits + kFacetBits;
 
-/// Bits of what else a packet says of its facet: its layer, which way it faces.
+/// Bits of what else a packet says of its facet: its layer, what kind of surface it is part of.
 constexpr int kLayerBits = 2;
-constexpr int kFacingBits = 5;
-constexpr int kOppositeFacings = 26;  ///< the sum of two opposite ones
+constexpr int kSurfaceBits = 2;
 
 /// Fraction bits of a gap on its way through a box: three coefficients, each half a unit wrong, are
 /// stepped n times at most, which leaves an error of 3/8 of a sixteenth.
 constexpr int gap_fraction_bits(int n) { return coordinate_bits(n) + 2 + kGapFractionBits; }
 
-/// Signed bits of such a gap. It is exact modulo four voxels, which is all that is kept of it.
+/// Signed bits of such a gap. It is exact modulo eight voxels, which is all that is kept of it.
 constexpr int gap_value_bits(int n) { return gap_fraction_bits(n) + kGapBits - kGapFractionBits; }
 
 /// Signed bits of a plane coefficient: twice a projected area, at most (n * 2^f)^2, a power of two
-/// that is reached when n is one and half a face of the cube is covered. A slab's width, at most
-/// the sum of three, fits without the sign.
+/// that is reached when n is one and half a face of the cube is covered.
 constexpr int plane_bits(int n, int f) { return 2 * (coordinate_bits(n) + f) + 2; }
+
+/// Unsigned bits of a slab's width: at most twice the sum of three coefficients and one more.
+constexpr int width_bits(int n, int f) { return plane_bits(n, f) + 1; }
+
+/// Fraction bits of the components of an owner's normal, of which the largest is one: at any light
+/// in the cube the plane is right to 3/32 of a voxel (sw/machine/plane.h).
+constexpr int normal_fraction_bits(int n) { return coordinate_bits(n) + 4; }
+
+/// Signed bits of such a component.
+constexpr int normal_bits(int n) { return normal_fraction_bits(n) + 2; }
 
 /// Bits of a word's coefficient, whatever it belongs to.
 constexpr int coefficient_bits(int n, int f) {

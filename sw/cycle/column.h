@@ -6,12 +6,20 @@
 #include <vector>
 
 #include "sw/cycle/layers.h"
+#include "sw/facet/packet.h"
 #include "sw/machine/claim.h"
 
 namespace rc2::cycle {
 
-/// Column c is that of cell y*n + x. Only occupied voxels have an owner and a count, so only they
-/// take memory: they are listed in order of z, and a voxel's place is the number of occupied voxels
+/// What a column keeps of a voxel's owner.
+struct Owner {
+  Claim claim;
+  glm::ivec3 normal{0};  ///< rc2::normal_of
+  facet::Surface surface = facet::Surface::solid;
+};
+
+/// Column c is that of cell y*n + x. Only occupied and guard voxels have an owner, so only they
+/// take memory: they are listed in order of z, and a voxel's place is the number of such voxels
 /// below it.
 class Columns {
  public:
@@ -20,39 +28,46 @@ class Columns {
   /// n*n.
   std::size_t size() const { return voxels_.size(); }
 
-  bool occupied(std::size_t column, int z) const {
-    return (occupied_[word_of(column, z)] >> (z % 64) & 1U) != 0;
+  bool occupied(std::size_t column, int z) const { return has(occupied_, column, z); }
+  bool is_guard(std::size_t column, int z) const {
+    return has(owned_, column, z) && !occupied(column, z);
   }
+  bool stops(std::size_t column, int z) const { return has(stops_, column, z); }
 
-  /// The first occupied voxel, and the first free one, from z on; n if there is none.
-  int next_occupied(std::size_t column, int z) const { return next(column, z, 0); }
-  int next_free(std::size_t column, int z) const { return next(column, z, ~std::uint64_t{0}); }
+  /// The first such voxel from z on; n if there is none.
+  int next_occupied(std::size_t column, int z) const { return next(occupied_, column, z, 0); }
+  int next_owned(std::size_t column, int z) const { return next(owned_, column, z, 0); }
+  int next_stop(std::size_t column, int z) const { return next(stops_, column, z, 0); }
+  int next_passage(std::size_t column, int z) const {
+    return next(stops_, column, z, ~std::uint64_t{0});
+  }
 
   /// Forgets all voxels.
   void clear();
 
   /// Gives a voxel to the facet that claims it, unless its owner has the better claim.
-  void fill(std::size_t column, int z, const Claim& claim, std::uint8_t facing);
+  void fill(std::size_t column, int z, const Owner& owner);
 
-  /// Which way the owner of an occupied voxel faces.
-  std::uint8_t facing(std::size_t column, int z) const {
-    return voxels_[column][place(column, z)].facing;
-  }
+  /// Likewise gives it a guard, unless it is occupied.
+  void guard(std::size_t column, int z, const Owner& owner);
 
   /// The other layers; they take memory from the first time that any column is asked for them.
   ColumnLayers& layers(std::size_t column);
   const ColumnLayers& layers(std::size_t column) const;
 
-  /// Forgets the light.
+  /// Forgets the light, and where it stops: in every occupied voxel.
   void darken();
 
+  void set_stop(std::size_t column, int z, bool stops);
+
   /// Counts targets that arrive at an occupied voxel.
-  void absorb(std::size_t column, int z, std::int64_t targets) {
+  void light(std::size_t column, int z, std::int64_t targets) {
     voxels_[column][place(column, z)].arrived += static_cast<std::uint32_t>(targets);
   }
 
-  Claim owner(std::size_t column, int z) const {
-    return Claim::unpacked(voxels_[column][place(column, z)].claim);
+  /// Of an occupied voxel or a guard.
+  const Owner& owner(std::size_t column, int z) const {
+    return voxels_[column][place(column, z)].owner;
   }
   std::uint32_t arrived(std::size_t column, int z) const {
     return voxels_[column][place(column, z)].arrived;
@@ -60,19 +75,24 @@ class Columns {
 
  private:
   struct Voxel {
-    std::uint32_t claim, arrived;
-    std::uint8_t facing;
+    Owner owner;
+    std::uint32_t arrived;
   };
+  using Bits = std::vector<std::uint64_t>;  // bit z % 64 of word z / 64 of each column
 
   std::size_t word_of(std::size_t column, int z) const {
     return column * words_ + static_cast<std::size_t>(z) / 64;
   }
+  bool has(const Bits& bits, std::size_t column, int z) const {
+    return (bits[word_of(column, z)] >> (z % 64) & 1U) != 0;
+  }
   std::size_t place(std::size_t column, int z) const;
-  int next(std::size_t column, int z, std::uint64_t flip) const;
+  int next(const Bits& bits, std::size_t column, int z, std::uint64_t flip) const;
+  void claim(std::size_t column, int z, const Owner& owner, bool replaces);
 
   int n_;
-  std::size_t words_;                    // per column
-  std::vector<std::uint64_t> occupied_;  // bit z % 64 of word z / 64 of each column
+  std::size_t words_;  // per column
+  Bits occupied_, owned_, stops_;
   std::vector<std::vector<Voxel>> voxels_;
   std::vector<ColumnLayers> layers_;  // of each column, or none
 };

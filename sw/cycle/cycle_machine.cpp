@@ -9,7 +9,9 @@ CycleMachine::CycleMachine(const MachineConfig& config)
     : config_(checked(config)),
       columns_(config.n),
       light_array_(config.n, columns_),
-      lane_array_(config.n, config.skips, columns_) {}
+      lane_array_(config.n, config.skips, columns_) {
+  config_.accurate_light = config.layers && config.mode == LightMode::fast;
+}
 
 LoadResult CycleMachine::load(const facet::PacketStream& packets, const Progress& progress) {
   check_packets(config_, packets);
@@ -24,7 +26,7 @@ LightResult CycleMachine::light(const LightJob& job, const Progress& progress) {
   check_light(config_, job);
   const std::size_t column = cell_number(job.source.x, job.source.y, config_.n);
   if (columns_.occupied(column, job.source.z)) {
-    refuse_occupied_source(job, columns_.owner(column, job.source.z).facet);
+    refuse_occupied_source(job, columns_.owner(column, job.source.z).claim.facet);
   }
   return config_.mode == LightMode::thesis ? light_array_.run(job, observer_, progress)
                                            : lane_array_.run(job, observer_, progress);
@@ -55,8 +57,8 @@ LayerMemory CycleMachine::read_layers() {
   for_each_voxel([&](glm::ivec3 at, std::size_t column) {
     const ColumnLayers& layers = columns.layers(column);
     const LayerRecord record{at, columns.occupied(column, at.z), layers.shown.has(at.z),
-                             layers.inside.has(at.z), layers.thin.has(at.z)};
-    if (record.armour || record.shown || record.inside || record.thin) memory.push_back(record);
+                             layers.inside.has(at.z), columns.is_guard(column, at.z)};
+    if (record.armour || record.shown || record.inside || record.guard) memory.push_back(record);
   });
   return memory;
 }
@@ -64,7 +66,7 @@ LayerMemory CycleMachine::read_layers() {
 VoxelMemory CycleMachine::read_voxels() {
   VoxelMemory voxels;
   for_each_occupied([&](glm::ivec3 at, std::size_t column) {
-    voxels.push_back({at, columns_.owner(column, at.z)});
+    voxels.push_back({at, columns_.owner(column, at.z).claim});
   });
   return voxels;
 }

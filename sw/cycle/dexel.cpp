@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "sw/machine/plane.h"
+
 namespace rc2::cycle {
 
 bool Dexel::ready(const Word& word, bool fill_ready) const {
@@ -24,7 +26,9 @@ void Dexel::step(const Word& word, bool taken) {
 }
 
 Span Dexel::offered(const Word& gap) const {
-  return {facet_, layer_, gap.facing, z0_, outer_.lo, outer_.hi, core_.lo, core_.hi, gap.d, gap.c};
+  const glm::ivec3 normal(normal_part(gap.step[0]), normal_part(gap.step[1]), normal_part(gap.c));
+  return {facet_,    layer_,   gap.surface, normal, z0_,  outer_.lo,
+          outer_.hi, core_.lo, core_.hi,    gap.d,  gap.c};
 }
 
 void Dexel::take_head(const Word& word) {

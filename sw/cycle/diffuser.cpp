@@ -82,7 +82,7 @@ Diffuser::Served Diffuser::serve(std::size_t cell, std::int64_t cycle) {
 void Diffuser::absorb(std::size_t cell, std::int64_t cycle) {
   const Beam& beam = head(cell);
   const std::int64_t targets = beam.u.extent() * beam.v.extent();
-  columns_.absorb(cell, beam.z, targets);
+  columns_.light(cell, beam.z, targets);
   absorbed_ += targets;
   tally_.finish(cycle, at_[cell].x, at_[cell].y, targets);
   pop(cell);

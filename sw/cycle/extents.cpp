@@ -12,14 +12,10 @@ Extent joined(const Extent& a, const Extent& b) {
 }
 
 Extent extent_of(const Columns& columns, std::size_t column, int n) {
-  Extent extent{n, -1};
-  for (int z = columns.next_occupied(column, 0); z < n;) {
-    extent.min = std::min(extent.min, z);
-    const int end = columns.next_free(column, z);
-    extent.max = end - 1;
-    z = columns.next_occupied(column, end);
-  }
-  return extent;
+  const int lowest = columns.next_occupied(column, 0);
+  int highest = -1;
+  for (int z = lowest; z < n; z = columns.next_occupied(column, z + 1)) highest = z;
+  return {lowest, highest};
 }
 
 }  // namespace
@@ -34,13 +30,17 @@ Extent& Extents::at(std::size_t quadrant, int x, int y) {
 }
 
 void Extents::settle(const Columns& columns) {
+  std::vector<Extent> own;
+  for (std::size_t column = 0; column < columns.size(); ++column) {
+    own.push_back(extent_of(columns, column, n_));
+  }
   for (std::size_t quadrant = 0; quadrant < quadrants_.size(); ++quadrant) {
     const int sx = (quadrant & 1U) != 0 ? 1 : -1, sy = (quadrant & 2U) != 0 ? 1 : -1;
     for (int i = n_ - 1; i >= 0; --i) {
       const int y = sy > 0 ? i : n_ - 1 - i;
       for (int j = n_ - 1; j >= 0; --j) {
         const int x = sx > 0 ? j : n_ - 1 - j;
-        Extent extent = extent_of(columns, cell_number(x, y, n_), n_);
+        Extent extent = own[cell_number(x, y, n_)];
         if (j < n_ - 1) extent = joined(extent, at(quadrant, x + sx, y));
         if (i < n_ - 1) extent = joined(extent, at(quadrant, x, y + sy));
         at(quadrant, x, y) = extent;

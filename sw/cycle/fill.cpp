@@ -7,9 +7,8 @@ void Fill::step(const Span* offered, Columns& columns, std::size_t column) {
   writing_ = walking_;
   if (walking_) {
     written_z_ = span_.z0 + span_.lo;
-    written_ = claim();
+    written_ = owner();
     written_layer_ = span_.layer;
-    written_facing_ = span_.facing;
     walking_ = span_.lo != span_.hi;
     ++span_.lo;
     span_.gap += span_.gap_step;
@@ -25,7 +24,8 @@ void Fill::step(const Span* offered, Columns& columns, std::size_t column) {
     span_ = *offered;
     if (span_.layer == facet::Layer::inside) span_.hi = span_.lo;  // one step flips all above
     to_seek_ = span_.lo;
-    seeking_ = span_.lo != 0 && span_.layer == facet::Layer::armour;
+    const bool claims = span_.layer == facet::Layer::armour || span_.layer == facet::Layer::guard;
+    seeking_ = span_.lo != 0 && claims;
     walking_ = !seeking_;
   }
 }
@@ -33,7 +33,7 @@ void Fill::step(const Span* offered, Columns& columns, std::size_t column) {
 void Fill::write(Columns& columns, std::size_t column) const {
   switch (written_layer_) {
     case facet::Layer::armour:
-      columns.fill(column, written_z_, written_, written_facing_);
+      columns.fill(column, written_z_, written_);
       break;
     case facet::Layer::shown:
       columns.layers(column).shown.set(written_z_);
@@ -41,18 +41,15 @@ void Fill::write(Columns& columns, std::size_t column) const {
     case facet::Layer::inside:
       columns.layers(column).flip_from(written_z_);
       break;
-    case facet::Layer::thin:
-      if (columns.occupied(column, written_z_) &&
-          columns.facing(column, written_z_) + written_facing_ == kOppositeFacings) {
-        columns.layers(column).thin.set(written_z_);
-      }
+    case facet::Layer::guard:
+      columns.guard(column, written_z_, written_);
       break;
   }
 }
 
-Claim Fill::claim() const {
+Owner Fill::owner() const {
   const bool core = span_.core_lo <= span_.lo && span_.lo <= span_.core_hi;
-  return {span_.facet, core, gap_of(n_, span_.gap)};
+  return {{span_.facet, core, gap_of(n_, span_.gap)}, span_.normal, span_.surface};
 }
 
 }  // namespace rc2::cycle

@@ -13,7 +13,8 @@ namespace rc2::cycle {
 struct Span {
   std::uint32_t facet;
   facet::Layer layer;
-  std::uint8_t facing;
+  facet::Surface surface;
+  glm::ivec3 normal;
   int z0, lo, hi, core_lo, core_hi;
   std::int64_t gap, gap_step;
 };
@@ -31,7 +32,7 @@ class Fill {
 
  private:
   void write(Columns& columns, std::size_t column) const;
-  Claim claim() const;
+  Owner owner() const;
 
   int n_;
   bool seeking_ = false, walking_ = false, writing_ = false;
@@ -39,9 +40,8 @@ class Fill {
   Span span_{};      // lo moves up while walking, and gap with it
   // A voxel is written in the cycle after the walk is there.
   int written_z_ = 0;
-  Claim written_;
+  Owner written_;
   facet::Layer written_layer_ = facet::Layer::armour;
-  std::uint8_t written_facing_ = 0;
 };
 
 }  // namespace rc2::cycle

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "sw/base/error.h"
+#include "sw/cycle/prepare.h"
 
 namespace rc2::cycle {
 namespace {
@@ -53,6 +54,7 @@ LightResult LaneArray::run(const LightJob& job, const Observer& observer,
   LightResult result;
   result.targets.total = total_targets(job.target_distance);
   columns_.darken();
+  result.prepare_cycles = prepare(job, n_, columns_);
   history_.start();
   const Extents* const extents = skips_ ? &extents_ : nullptr;
   z_.run(job, classes, extents);

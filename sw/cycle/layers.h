@@ -22,9 +22,9 @@ class VoxelBits {
 };
 
 struct ColumnLayers {
-  explicit ColumnLayers(int n = 0) : shown(n), inside(n), thin(n), parity(n) {}
+  explicit ColumnLayers(int n = 0) : shown(n), inside(n), parity(n) {}
 
-  VoxelBits shown, inside, thin;
+  VoxelBits shown, inside;
   VoxelBits parity;  ///< of the object under way
 
   void flip_from(int z) {

@@ -156,8 +156,9 @@ bool SideLane::serve_column(std::size_t number, std::int64_t cycle) {
   }
   const auto [free, end] = cell.table.pass(beam);
   if (!free.none() && !send(cell, cell.beam, free, cycle)) return false;
-  absorb(number, {beam.min, std::min(end, free.min - 1)}, cycle);
-  absorb(number, {std::max(free.min, free.max + 1), end}, cycle);
+  light(number, {beam.min, end});
+  finish(cell, weight(cell, cell.beam) * (Targets{beam.min, end}.count() - free.count()), absorbed_,
+         cycle);
   cell.beam.v.min = end + 1;
   cell.serving = !cell.beam.v.none();
   return true;
@@ -203,22 +204,17 @@ bool SideLane::send(const Cell& cell, const ColumnBeam& beam, const Targets& fre
   return true;
 }
 
-void SideLane::absorb(std::size_t number, Targets targets, std::int64_t cycle) {
-  if (targets.none()) return;
+// All of them arrive, whether they end here or go on.
+void SideLane::light(std::size_t number, const Targets& targets) {
   const Cell& cell = cells_[number];
   const Slope along = slope(cell);
   const std::int64_t each = weight(cell, cell.beam);
-  int z = along.offset(targets.min);
-  while (targets.min <= targets.max) {
-    const int last = std::min(targets.max, along.lowest(z + 1) - 1);
-    const std::int64_t arrived = each * (std::int64_t{last} - targets.min + 1);
-    if (arrived > 0) {
-      columns_.absorb(number, light_.source.z + z, arrived);
-      absorbed_ += arrived;
-      tally_.finish(cycle, cell.x, cell.y, arrived);
-    }
-    targets.min = std::max(targets.min, last + 1);
-    ++z;
+  const int last = light_.source.z + along.offset(targets.max);
+  int z = columns_.next_occupied(number, light_.source.z + along.offset(targets.min));
+  for (; z <= last && z < n_; z = columns_.next_occupied(number, z + 1)) {
+    const Targets here = along.between(z - light_.source.z, z - light_.source.z);
+    const Targets arrived{std::max(targets.min, here.min), std::min(targets.max, here.max)};
+    columns_.light(number, z, each * arrived.count());
   }
 }
 

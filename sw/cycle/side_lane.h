@@ -89,7 +89,7 @@ class SideLane {
   bool serve_source(Cell& cell, std::int64_t cycle);
   bool serve_column(std::size_t number, std::int64_t cycle);
   bool send(const Cell& cell, const ColumnBeam& beam, const Targets& free, std::int64_t cycle);
-  void absorb(std::size_t number, Targets targets, std::int64_t cycle);
+  void light(std::size_t number, const Targets& targets);
   bool load(std::size_t number, std::int64_t cycle);
   ColumnBeam take(std::size_t number);
   void finish(const Cell& cell, std::int64_t targets, std::int64_t& where, std::int64_t cycle);

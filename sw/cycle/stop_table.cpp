@@ -20,11 +20,11 @@ void StopTable::fill(const Columns& columns, std::size_t column, const Slope& sl
                      int first, int last, std::int64_t cycle) {
   count_ = 0;
   known_ = {slope.lowest(first - source_z), slope.distance};
-  int z = columns.next_occupied(column, first);
+  int z = columns.next_stop(column, first);
   while (z <= last && count_ < kRuns) {
-    const int end = columns.next_free(column, z);
+    const int end = columns.next_passage(column, z);
     runs_[static_cast<std::size_t>(count_++)] = slope.between(z - source_z, end - 1 - source_z);
-    z = columns.next_occupied(column, end);
+    z = columns.next_stop(column, end);
   }
   if (z <= last) known_.max = runs_[kRuns - 1].max;
   ready_ = cycle + 2 + count_;

@@ -45,7 +45,8 @@ void ZLanes::run_lane(bool down) {
   }
 }
 
-// What meets a stop in this layer is absorbed, what has nothing more to meet is skipped.
+// Lights what is occupied in this layer; what meets a stop is absorbed, what has nothing more to meet
+// is skipped.
 void ZLanes::enter(const Box& box, int step, int z, bool down, std::int64_t cycle) {
   for (int y = box.y0; y <= box.y1; ++y) {
     for (int x = box.x0; x <= box.x1; ++x) {
@@ -59,11 +60,14 @@ void ZLanes::enter(const Box& box, int step, int z, bool down, std::int64_t cycl
       const auto column = cell_number(x, y, n_);
       const bool worth = down ? z >= beyond_[column].min : z <= beyond_[column].max;
       if (worth && step > 0) ++visits_;
-      if (worth && !columns_.occupied(column, z)) continue;
-      const std::int64_t ended = targets(step, dx, dy, matrix);
-      if (worth) columns_.absorb(column, z, ended);
-      (worth ? absorbed_ : skipped_) += ended;
-      tally_.finish(cycle, x, y, ended);
+      const bool lights = worth && columns_.occupied(column, z);
+      const bool stops = !worth || columns_.stops(column, z);
+      if (!lights && !stops) continue;
+      const std::int64_t arrived = targets(step, dx, dy, matrix);
+      if (lights) columns_.light(column, z, arrived);
+      if (!stops) continue;
+      (worth ? absorbed_ : skipped_) += arrived;
+      tally_.finish(cycle, x, y, arrived);
       std::fill_n(matrix, count, 0);
     }
   }

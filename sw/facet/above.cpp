@@ -72,7 +72,6 @@ void append_above(const Border& border, const Vertex& normal, std::uint32_t face
   PacketHead head{};
   head.facet = facet;
   head.layer = Layer::inside;
-  head.facing = facing(normal);
   head.hi.z = n - 1;
   for (int axis = 0; axis < 2; ++axis) {
     const Range range = extent(border, axis);

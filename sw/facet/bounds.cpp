@@ -49,9 +49,8 @@ class PacketWriter {
       : grid_(grid), normal_(normal), lo_(lo), axis_(dominant_axis(normal)) {}
 
   // The floor of F w serves as well as F w: the rest of a bound's numerator is an integer.
-  Slab slab(const Vertex& on_plane) const {
+  Slab slab(const Vertex& on_plane, std::int64_t thickness) const {
     const std::int64_t level = 2 * dot(normal_, on_plane);
-    const std::int64_t thickness = slab_thickness(normal_, grid_);
     const std::int64_t front = bound_constant(-normal_, level + thickness);
     const std::int64_t back = bound_constant(normal_, thickness - level);
     return {from_corner(normal_, back), front + back};
@@ -113,6 +112,36 @@ class PacketWriter {
   int axis_;  // along which the plane is crossed soonest
 };
 
+// `thickness` is floor(F w) of the slab; the box goes beyond the border by half of `grow` / F.
+bool append(const Border& border, const Vertex& normal, std::uint32_t facet, const Grid& grid,
+            std::int64_t thickness, const Vertex& grow, PacketStream& stream) {
+  Vertex low = border[0], high = low;
+  for (const Vertex& vertex : border) {
+    low = glm::min(low, vertex);
+    high = glm::max(high, vertex);
+  }
+  glm::ivec3 lo, hi;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::int64_t first = -grid.floor_halves(grow[axis] - 2 * low[axis]);
+    const std::int64_t last =
+        grid.floor_halves(2 * high[axis] + grow[axis] - (is_closed(grid.rule) ? 0 : 1));
+    lo[axis] = static_cast<int>(std::max<std::int64_t>(0, first));
+    hi[axis] = static_cast<int>(std::min<std::int64_t>(grid.n - 1, last));
+    if (lo[axis] > hi[axis]) return false;
+  }
+  const PacketWriter writer(grid, normal, lo);
+  PacketHead& head = stream.heads.emplace_back();
+  head.facet = facet;
+  head.lo = lo;
+  head.hi = hi;
+  head.slab = writer.slab(border[0], thickness);
+  head.gap = writer.gap(border[0]);
+  head.first_side = static_cast<std::uint32_t>(stream.sides.size());
+  writer.add_sides(border, stream.sides);
+  head.side_count = static_cast<std::uint32_t>(stream.sides.size()) - head.first_side;
+  return true;
+}
+
 }  // namespace
 
 Vertex plane_normal(const Border& border) {
@@ -122,46 +151,26 @@ Vertex plane_normal(const Border& border) {
   return normal >> Vertex(shared);
 }
 
-std::uint8_t facing(const Vertex& normal) {
-  const std::int64_t size = std::abs(normal[dominant_axis(normal)]);
-  int code = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const bool is_large = 12 * std::abs(normal[axis]) >= 5 * size;
-    code = 3 * code + (is_large ? (normal[axis] < 0 ? 0 : 2) : 1);
-  }
-  return static_cast<std::uint8_t>(code);
-}
-
 bool append_packet(const Border& border, const Vertex& normal, std::uint32_t facet,
                    const Grid& grid, PacketStream& stream) {
   // Nothing but the thesis's own inequalities may limit its facets: with sigma <= 1 their voxels
   // reach up to a whole voxel beyond the vertices, all others half a voxel.
   const std::int64_t grow = (grid.rule == Rule::blindee ? 2 : 1) * grid.one;
-  Vertex low = border[0], high = low;
-  for (const Vertex& vertex : border) {
-    low = glm::min(low, vertex);
-    high = glm::max(high, vertex);
-  }
-  glm::ivec3 lo, hi;
-  for (int axis = 0; axis < 3; ++axis) {
-    const std::int64_t first = -grid.floor_halves(grow - 2 * low[axis]);
-    const std::int64_t last =
-        grid.floor_halves(2 * high[axis] + grow - (is_closed(grid.rule) ? 0 : 1));
-    lo[axis] = static_cast<int>(std::max<std::int64_t>(0, first));
-    hi[axis] = static_cast<int>(std::min<std::int64_t>(grid.n - 1, last));
-    if (lo[axis] > hi[axis]) return false;
-  }
-  const PacketWriter writer(grid, normal, lo);
-  PacketHead& head = stream.heads.emplace_back();
-  head.facet = facet;
-  head.facing = facing(normal);
-  head.lo = lo;
-  head.hi = hi;
-  head.slab = writer.slab(border[0]);
-  head.gap = writer.gap(border[0]);
-  head.first_side = static_cast<std::uint32_t>(stream.sides.size());
-  writer.add_sides(border, stream.sides);
-  head.side_count = static_cast<std::uint32_t>(stream.sides.size()) - head.first_side;
+  return append(border, normal, facet, grid, slab_thickness(normal, grid), Vertex(grow), stream);
+}
+
+bool append_guard(const Border& border, const Vertex& normal, std::uint32_t facet, Surface surface,
+                  int n, std::int64_t one, PacketStream& stream) {
+  const glm::i64vec3 sizes = glm::abs(normal);
+  const int axis = dominant_axis(normal);
+  const std::int64_t sum = sizes.x + sizes.y + sizes.z, large = sizes[axis];
+  const std::int64_t width = 2 * sum + (surface == Surface::sheet ? large : 0);
+  Vertex grow(one);
+  grow[axis] = (width + large - 1) / large * one;
+  const Grid grid{n, one, Rule::half};
+  if (!append(border, normal, facet, grid, one * width, grow, stream)) return false;
+  stream.heads.back().layer = Layer::guard;
+  stream.heads.back().surface = surface;
   return true;
 }
 

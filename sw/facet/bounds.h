@@ -20,13 +20,15 @@ struct Grid {
 /// change no voxel, because they cancel in every bound. It fits coefficient_bits(n, f).
 Vertex plane_normal(const Border& border);
 
-/// PacketHead::facing of a normal. A component is large if it is 5/12 of the largest one or more:
-/// between the axis and the diagonal that is half-way in angle, about tan 22.5 degrees.
-std::uint8_t facing(const Vertex& normal);
-
 /// Appends the packet of a planar convex border (thesis 3.9, "initialisation effectuee par le
 /// hote"). Returns false and appends nothing if no voxel of the grid is in its box.
 bool append_packet(const Border& border, const Vertex& normal, std::uint32_t facet,
                    const Grid& grid, PacketStream& stream);
+
+/// Likewise the packet of Layer::guard: the voxels, centre within the border, that a ray could
+/// reach by its step through the plane; through a sheet, its step beyond half a voxel behind the
+/// plane. Along the dominant axis of the plane that is S/K voxels, and half a voxel more.
+bool append_guard(const Border& border, const Vertex& normal, std::uint32_t facet, Surface surface,
+                  int n, std::int64_t one, PacketStream& stream);
 
 }  // namespace rc2::facet

@@ -31,7 +31,6 @@ struct FacetInfo {
   glm::vec3 normal;  ///< outward, of unit length
   std::uint32_t material;
   Plane plane{};
-  bool is_crowded = false;  ///< too much surface around it to tell one side from the other
 };
 
 /// What became of the scene's polygons.
@@ -45,7 +44,7 @@ struct FacetCounts {
   // Of build_layers only.
   std::int64_t objects_closed = 0;  ///< solids, with their cavities: voxels inside are known
   std::int64_t objects_capped = 0;  ///< of the solids, those with holes that were closed
-  std::int64_t crowded = 0;         ///< facets that are crowded (FacetInfo)
+  std::int64_t crowded = 0;         ///< facets that are crowded (Surface)
   std::int64_t objects_open = 0;    ///< surfaces that are not closed: nothing inside
   std::int64_t rooms = 0;           ///< closed surfaces that face inwards, round others: likewise
 };

@@ -1,6 +1,5 @@
 #include "sw/facet/layers.h"
 
-#include "sw/base/config.h"
 #include "sw/facet/above.h"
 #include "sw/facet/bounds.h"
 #include "sw/facet/caps.h"
@@ -24,18 +23,15 @@ class LayerBuilder {
     Shells shells = find_shells(traced_);
     set_.counts.objects_capped = cap_holes(traced_, shells);
     mark_crowded(shells);
-    const std::vector<std::uint32_t> opposed = find_opposed(packets_.heads);
+    const std::vector<bool> is_thin = find_thin(shells.open);
     add_shown();
-    for (const std::uint32_t i : opposed) add_thin(packets_.heads[i]);
-    add_sheets(shells.open);
-    end_batch(false);
+    add_guard(is_thin);
     add_inside(find_objects(traced_, shells.closed));
     set_.counts.objects_open = static_cast<std::int64_t>(shells.open.size());
     return std::move(set_);
   }
 
  private:
-  // Crowded facets face no way, so that nothing about them is thin.
   void mark_crowded(const Shells& shells) {
     std::vector<const Pieces*> all;
     for (const Pieces& shell : shells.closed) all.push_back(&shell);
@@ -44,10 +40,24 @@ class LayerBuilder {
     for (std::size_t i = 0; i < is_crowded.size(); ++i) {
       if (!is_crowded[i] || !traced_.pieces[i].facet) continue;
       const std::uint32_t facet = *traced_.pieces[i].facet;
-      set_.facets[facet].is_crowded = true;
-      packets_.heads[facet].facing = kOppositeFacings / 2;
+      packets_.heads[facet].surface = Surface::crowd;
       ++set_.counts.crowded;
     }
+  }
+
+  // Facets behind which there may be less than a step of armour. Marks those of sheets.
+  std::vector<bool> find_thin(const std::vector<OpenShell>& shells) {
+    std::vector<bool> is_thin(set_.facets.size());
+    for (const std::uint32_t i : find_opposed(packets_.heads)) is_thin[i] = true;
+    for (const OpenShell& shell : shells) {
+      for (const std::uint32_t i : shell.pieces) {
+        const std::optional<std::uint32_t> facet = traced_.pieces[i].facet;
+        if (!facet || packets_.heads[*facet].surface == Surface::crowd) continue;
+        packets_.heads[*facet].surface = Surface::sheet;
+        is_thin[*facet] = true;
+      }
+    }
+    return is_thin;
   }
 
   void add_shown() {
@@ -62,22 +72,13 @@ class LayerBuilder {
     end_batch(false);
   }
 
-  void add_thin(PacketHead head) {
-    head.layer = Layer::thin;
-    packets_.heads.push_back(head);
-  }
-
-  // A sheet is thin everywhere: as if each facet had another one at its back.
-  void add_sheets(const std::vector<OpenShell>& shells) {
-    for (const OpenShell& shell : shells) {
-      for (const std::uint32_t i : shell.pieces) {
-        const std::optional<std::uint32_t> facet = traced_.pieces[i].facet;
-        if (!facet || set_.facets[*facet].is_crowded) continue;
-        PacketHead back = packets_.heads[*facet];
-        back.facing = static_cast<std::uint8_t>(kOppositeFacings - back.facing);
-        add_thin(back);
-      }
+  void add_guard(const std::vector<bool>& is_thin) {
+    for (const Traced::Piece& piece : traced_.pieces) {
+      if (!piece.facet || !is_thin[*piece.facet]) continue;
+      append_guard(piece.border, piece.normal, *piece.facet, packets_.heads[*piece.facet].surface,
+                   n_, one_, packets_);
     }
+    end_batch(false);
   }
 
   void add_inside(const Objects& objects) {

@@ -8,8 +8,9 @@ namespace rc2::facet {
 /// As build_facets with Rule::armoured, but the packets come in batches:
 ///  - Layer::armour: those of build_facets;
 ///  - Layer::shown: the same facets by Rule::naive;
-///  - Layer::thin: the armour again of facets that may share a voxel with one that faces the
-///    opposite way; absent if there are none;
+///  - Layer::guard, append_guard: of sheets, and of facets that may share a voxel with one that
+///  faces
+///    the opposite way; absent if there are none;
 ///  - Layer::inside, one batch per solid: what lies above each of its facets, see append_above. Its
 ///    parity is the inside of a closed mesh. A facet on the lower border of the cube has no voxel,
 ///    yet all voxels above: its packet has a number beyond the facets'.

@@ -2,16 +2,18 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <glm/common.hpp>
 #include <glm/ext/vector_int3_sized.hpp>
 
-#include "sw/base/config.h"
 #include "sw/facet/box_tree.h"
 
 namespace rc2::facet {
 namespace {
 
 __extension__ using Wide = __int128;
+
+constexpr int kOpposite = 26;  // the sum of two opposite ways to face
 
 // What the slab asks of a voxel p: least <= normal . p <= least + width.
 struct Level {
@@ -48,19 +50,33 @@ bool may_meet(const PacketHead& a, const PacketHead& b) {
 
 }  // namespace
 
+int facing(const Vertex& normal) {
+  const std::int64_t size = std::abs(normal[dominant_axis(normal)]);
+  int code = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const bool is_large = 12 * std::abs(normal[axis]) >= 5 * size;
+    code = 3 * code + (is_large ? (normal[axis] < 0 ? 0 : 2) : 1);
+  }
+  return code;
+}
+
 std::vector<std::uint32_t> find_opposed(const std::vector<PacketHead>& packets) {
-  std::array<std::vector<std::uint32_t>, kOppositeFacings + 1> by_facing;
-  for (std::uint32_t i = 0; i < packets.size(); ++i) by_facing[packets[i].facing].push_back(i);
+  std::array<std::vector<std::uint32_t>, kOpposite + 1> by_facing;
+  for (std::uint32_t i = 0; i < packets.size(); ++i) {
+    if (packets[i].surface == Surface::crowd) continue;
+    const Linear& plane = packets[i].slab.value;
+    by_facing[static_cast<std::size_t>(facing({plane.a, plane.b, plane.c}))].push_back(i);
+  }
   std::vector<bool> is_opposed(packets.size());
-  for (std::size_t facing = 0; facing < kOppositeFacings / 2; ++facing) {
-    const std::vector<std::uint32_t>& others = by_facing[kOppositeFacings - facing];
-    if (by_facing[facing].empty() || others.empty()) continue;
+  for (std::size_t way = 0; way < kOpposite / 2; ++way) {
+    const std::vector<std::uint32_t>& others = by_facing[kOpposite - way];
+    if (by_facing[way].empty() || others.empty()) continue;
     std::vector<Box> boxes;
     boxes.reserve(others.size());
     for (const std::uint32_t other : others)
       boxes.emplace_back(packets[other].lo, packets[other].hi);
     const BoxTree tree(boxes);
-    for (const std::uint32_t i : by_facing[facing]) {
+    for (const std::uint32_t i : by_facing[way]) {
       // All that meet, because each of them has to be marked, too.
       tree.query({packets[i].lo, packets[i].hi}, [&](std::uint32_t place) {
         const std::uint32_t other = others[place];

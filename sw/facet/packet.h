@@ -36,7 +36,14 @@ enum class Layer : std::uint8_t {
   armour = 0,  ///< occupies them and claims them for its facet
   shown = 1,   ///< marks them as shown
   inside = 2,  ///< flips the parity of them, and of all voxels above them in their columns
-  thin = 3,    ///< marks them as thin where their owner faces the opposite way
+  guard = 3,   ///< claims those that are not occupied, to stop light behind something thin
+};
+
+/// What a facet is part of, for the accurate light rule (docs/light.md).
+enum class Surface : std::uint8_t {
+  solid = 0,  ///< of a body: light ends at it if it turns away
+  sheet = 1,  ///< of something without an inside: light ends behind it, whichever way it comes
+  crowd = 2,  ///< too much surface around it to tell one side from the other: light ends at it
 };
 
 /// One facet: voxels lo..hi (inclusive, inside the grid) and its share of PacketStream::sides.
@@ -44,12 +51,10 @@ struct PacketHead {
   std::uint32_t facet;  ///< number of the facet, < kMaxFacets; unique among packets of its layer
   glm::ivec3 lo, hi;
   Slab slab;
-  Linear gap;  ///< of a voxel centre from the plane; see Claim for its unit
+  Linear gap;  ///< of a voxel centre from the plane; see Claim for its unit, a, b, c at most one
   std::uint32_t first_side, side_count;
   Layer layer = Layer::armour;  ///< inside: the slab has no front, only 0 <= value counts
-  /// Which way the facet faces: the signs of the large components of its normal as
-  /// 9 (x+1) + 3 (y+1) + (z+1). The opposite way is 26 - facing.
-  std::uint8_t facing = 13;
+  Surface surface = Surface::solid;
 };
 
 /// Consecutive packets whose order among each other does not matter. Batches go one after another.

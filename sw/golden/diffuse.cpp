@@ -17,29 +17,27 @@ constexpr Faces kFaces[] = {{0, 1, 2, 0, 0}, {1, 0, 2, 1, 0}, {2, 0, 1, 1, 1}};
 
 class Diffuser {
  public:
-  Diffuser(const Grid& grid, const VoxelMemory& voxels, const Field& field, LightMemory& arrived)
-      : grid_(grid), voxels_(voxels), field_(field), arrived_(arrived) {}
+  Diffuser(const Grid& grid, const std::vector<Matter>& field, LightMemory& arrived)
+      : grid_(grid), field_(field), arrived_(arrived) {}
 
   void follow_ray(std::ptrdiff_t start, int distance, const Faces& faces, int side, int u, int v) {
     lines::DigitalLine u_line(u, distance);
     lines::DigitalLine v_line(v, distance);
     std::ptrdiff_t place = start;
-    Passage passage;
-    for (Matter matter = Matter::free;;) {
+    for (;;) {
       glm::ivec3 step;
       step[faces.axis] = side;
       step[faces.u] = u_line.advance();
       step[faces.v] = v_line.advance();
-      if (matter >= Matter::front) passage.leave(matter, to_light(place), step);
       place += step.x * grid_.stride(0) + step.y * grid_.stride(1) + step.z * grid_.stride(2);
-      matter = field_.matter[static_cast<std::size_t>(place)];
+      const Matter matter = field_[static_cast<std::size_t>(place)];
       if (matter == Matter::outside) {
         ++result_.targets.escaped;
         return;
       }
       ++result_.visits;
-      if (matter >= Matter::stop) ++arrived_[grid_[place]];
-      if (passage.ends_in(matter)) {
+      if (is_lit(matter)) ++arrived_[grid_[place]];
+      if (ends_light(matter)) {
         ++result_.targets.absorbed;
         return;
       }
@@ -49,22 +47,17 @@ class Diffuser {
   Diffusion& result() { return result_; }
 
  private:
-  const glm::ivec3& to_light(std::ptrdiff_t place) const {
-    return field_.to_light[voxels_[grid_[place]].owner.facet];
-  }
-
   const Grid& grid_;
-  const VoxelMemory& voxels_;
-  const Field& field_;
+  const std::vector<Matter>& field_;
   LightMemory& arrived_;
   Diffusion result_;
 };
 
 }  // namespace
 
-Diffusion diffuse(const Grid& grid, const VoxelMemory& voxels, const Field& field,
-                  glm::ivec3 source, int distance, LightMemory& arrived, const Progress& progress) {
-  Diffuser diffuser(grid, voxels, field, arrived);
+Diffusion diffuse(const Grid& grid, const std::vector<Matter>& field, glm::ivec3 source,
+                  int distance, LightMemory& arrived, const Progress& progress) {
+  Diffuser diffuser(grid, field, arrived);
   TargetCount& targets = diffuser.result().targets;
   targets.total = total_targets(distance);
   const std::ptrdiff_t start = grid.index(source);

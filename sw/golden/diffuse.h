@@ -13,9 +13,9 @@ struct Diffusion {
 
 /// Sends one digital ray from the source to every target of the six faces at `distance`, and on
 /// beyond it, until a voxel ends the ray or it leaves the cube (thesis 4.3). `grid` holds the
-/// number of each voxel in `voxels`, `field` is what the voxels are to this light; arrived[number]
-/// counts the rays that come there.
-Diffusion diffuse(const Grid& grid, const VoxelMemory& voxels, const Field& field,
-                  glm::ivec3 source, int distance, LightMemory& arrived, const Progress& progress);
+/// numbers of the occupied voxels, `field` is what the voxels are to this light, by their places in
+/// the grid; arrived[number] counts the rays that come there.
+Diffusion diffuse(const Grid& grid, const std::vector<Matter>& field, glm::ivec3 source,
+                  int distance, LightMemory& arrived, const Progress& progress);
 
 }  // namespace rc2::golden

@@ -38,10 +38,12 @@ void GoldenMachine::add_packet(const facet::PacketStream& packets, std::size_t p
   const facet::Side* sides = packets.sides.data() + head.first_side;
   if (head.layer == facet::Layer::armour) {
     fill_facet(grid_, head, sides);
-    layers_.note_facing(head.facet, head.facing);
   } else {
     layers_.add(grid_, head, sides);
   }
+  // A facet's packets say the same of its plane; those of the layer inside may be of none.
+  if (head.layer == facet::Layer::armour || head.layer == facet::Layer::guard)
+    layers_.note_plane(head);
 }
 
 void GoldenMachine::number_voxels() {
@@ -67,9 +69,9 @@ LightResult GoldenMachine::light(const LightJob& job, const Progress& progress) 
   if (source_voxel != Grid::kFree) refuse_occupied_source(job, voxels_[source_voxel].owner.facet);
 
   arrived_.assign(voxels_.size(), 0);
-  const Field field = look_from(job, grid_, voxels_, layers_);
+  const std::vector<Matter> field = look_from(job, grid_, voxels_, layers_);
   const Diffusion diffusion =
-      diffuse(grid_, voxels_, field, job.source, job.target_distance, arrived_, progress);
+      diffuse(grid_, field, job.source, job.target_distance, arrived_, progress);
   LightResult result;
   result.visits = diffusion.visits;
   result.targets = diffusion.targets;

@@ -1,22 +1,28 @@
 #include "sw/golden/layers.h"
 
+#include <algorithm>
+
 #include "sw/golden/voxelise.h"
-#include "sw/machine/claim.h"
+#include "sw/machine/plane.h"
 
 namespace rc2::golden {
 
 void Layers::clear() {
   bits_.clear();
-  facing_.clear();
+  guard_.clear();
+  planes_.clear();
 }
 
-void Layers::note_facing(std::uint32_t facet, std::uint8_t facing) {
-  if (facing_.size() <= facet) facing_.resize(facet + 1);
-  facing_[facet] = facing;
+void Layers::note_plane(const facet::PacketHead& packet) {
+  if (planes_.size() <= packet.facet) planes_.resize(packet.facet + 1);
+  planes_[packet.facet] = {normal_of(packet.gap), packet.surface};
 }
 
 void Layers::add(const Grid& grid, const facet::PacketHead& packet, const facet::Side* sides) {
-  if (bits_.empty()) bits_.resize(static_cast<std::size_t>(n_) * n_ * n_);
+  const auto cube = static_cast<std::size_t>(n_) * n_ * n_;
+  if (bits_.empty()) bits_.resize(cube);
+  const bool is_guard = packet.layer == facet::Layer::guard;
+  if (is_guard && guard_.empty()) guard_.resize(cube, Grid::kFree);
   for_each_dexel(packet, sides, [&](const Dexel& dexel) {
     glm::ivec3 voxel = packet.lo + glm::ivec3(dexel.x, dexel.y, dexel.z.first);
     const int top = packet.layer == facet::Layer::inside
@@ -25,14 +31,16 @@ void Layers::add(const Grid& grid, const facet::PacketHead& packet, const facet:
     for (; voxel.z <= top; ++voxel.z) {
       if (packet.layer == facet::Layer::shown) at(voxel) |= kShown;
       if (packet.layer == facet::Layer::inside) at(voxel) ^= kParity;
-      if (packet.layer != facet::Layer::thin) continue;
-      const std::uint32_t owner = grid[grid.index(voxel)];
-      if (owner == Grid::kFree) continue;
-      if (facing_[Claim::unpacked(owner).facet] + packet.facing == kOppositeFacings) {
-        at(voxel) |= kThin;
-      }
+      if (!is_guard || grid[grid.index(voxel)] != Grid::kFree) continue;
+      std::uint32_t& best = guard_[place(voxel)];
+      best = std::min(best, claim_of(n_, packet, dexel, voxel.z - packet.lo.z).packed());
     }
   });
+}
+
+std::optional<Claim> Layers::guard(const glm::ivec3& voxel) const {
+  if (guard_.empty() || guard_[place(voxel)] == Grid::kFree) return {};
+  return Claim::unpacked(guard_[place(voxel)]);
 }
 
 void Layers::end_object() {
@@ -50,8 +58,9 @@ LayerMemory Layers::read(const Grid& grid) const {
         const bool armour = grid[grid.index(at)] != Grid::kFree;
         const unsigned bits = bits_.empty() ? 0 : bits_[place];
         const bool shown = (bits & kShown) != 0, inside = (bits & kInside) != 0;
-        const bool thin = (bits & kThin) != 0;
-        if (armour || shown || inside || thin) memory.push_back({at, armour, shown, inside, thin});
+        const bool guard = !guard_.empty() && guard_[place] != Grid::kFree;
+        if (armour || shown || inside || guard)
+          memory.push_back({at, armour, shown, inside, guard});
       }
     }
   }

@@ -3,23 +3,31 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <vector>
 
 #include "sw/facet/packet.h"
 #include "sw/golden/grid.h"
+#include "sw/machine/claim.h"
 #include "sw/machine/machine.h"
 
 namespace rc2::golden {
 
-/// Takes n^3 bytes once a packet of another layer than armour comes.
+/// The plane of a facet, as a voxel that it owns has it.
+struct Plane {
+  glm::ivec3 normal{0};  ///< rc2::normal_of
+  facet::Surface surface = facet::Surface::solid;
+};
+
+/// Takes n^3 bytes once a packet of another layer than armour comes, and 4 n^3 for a guard.
 class Layers {
  public:
   explicit Layers(int n) : n_(n) {}
 
   void clear();
 
-  /// Remembers which way a facet of the armour faces.
-  void note_facing(std::uint32_t facet, std::uint8_t facing);
+  /// Remembers the plane of a facet.
+  void note_plane(const facet::PacketHead& packet);
 
   /// What a packet of another layer does to the voxels it fills. `grid` holds the packed claims of
   /// all owners.
@@ -29,18 +37,18 @@ class Layers {
   void end_object();
 
   bool is_inside(const glm::ivec3& voxel) const { return has(voxel, kInside); }
-  bool is_thin(const glm::ivec3& voxel) const { return has(voxel, kThin); }
 
-  /// PacketHead::facing of a facet, 13 (no way) if it has no armour.
-  int facing(std::uint32_t facet) const {
-    return facet < facing_.size() ? facing_[facet] : kOppositeFacings / 2;
-  }
+  /// Of a facet with armour or a guard.
+  const Plane& plane(std::uint32_t facet) const { return planes_[facet]; }
+
+  /// The best claim of a guard to a voxel that is not occupied.
+  std::optional<Claim> guard(const glm::ivec3& voxel) const;
 
   /// All voxels of any layer; `grid` tells which have armour.
   LayerMemory read(const Grid& grid) const;
 
  private:
-  enum Bit : std::uint8_t { kShown = 1, kInside = 2, kThin = 4, kParity = 8 };
+  enum Bit : std::uint8_t { kShown = 1, kInside = 2, kParity = 4 };
 
   std::size_t place(const glm::ivec3& voxel) const {
     return (static_cast<std::size_t>(voxel.z) * n_ + voxel.y) * n_ + voxel.x;
@@ -52,7 +60,8 @@ class Layers {
 
   int n_;
   std::vector<std::uint8_t> bits_;
-  std::vector<std::uint8_t> facing_;  // of each facet
+  std::vector<std::uint32_t> guard_;  // packed claims, or Grid::kFree
+  std::vector<Plane> planes_;         // of each facet
 };
 
 }  // namespace rc2::golden

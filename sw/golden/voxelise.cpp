@@ -55,14 +55,9 @@ void fill_facet(Grid& grid, const facet::PacketHead& packet, const facet::Side* 
   }
   const int n = grid.n();
   for_each_dexel(packet, sides, [&](const Dexel& dexel) {
-    const auto& [x, y, z, core] = dexel;
-    std::int64_t gap = value_at(packet.gap, x, y) + packet.gap.c * z.first;
-    std::ptrdiff_t place = grid.index(packet.lo + glm::ivec3(x, y, z.first));
-    for (std::int64_t at = z.first; at <= z.last; ++at) {
-      const bool in_core = core.first <= at && at <= core.last;
-      const Claim claim{packet.facet, in_core, gap_of(n, gap)};
-      grid[place] = std::min(grid[place], claim.packed());
-      gap += packet.gap.c;
+    std::ptrdiff_t place = grid.index(packet.lo + glm::ivec3(dexel.x, dexel.y, dexel.z.first));
+    for (std::int64_t z = dexel.z.first; z <= dexel.z.last; ++z) {
+      grid[place] = std::min(grid[place], claim_of(n, packet, dexel, z).packed());
       place += grid.stride(2);
     }
   });

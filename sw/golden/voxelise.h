@@ -6,6 +6,7 @@
 
 #include "sw/facet/packet.h"
 #include "sw/golden/grid.h"
+#include "sw/machine/claim.h"
 
 namespace rc2::golden {
 
@@ -75,6 +76,12 @@ void for_each_dexel(const facet::PacketHead& packet, const facet::Side* sides, V
       if (z.first <= z.last) visit(Dexel{x, y, z, core});
     }
   }
+}
+
+/// What the facet says of voxel z of a dexel's column.
+inline Claim claim_of(int n, const facet::PacketHead& packet, const Dexel& dexel, std::int64_t z) {
+  const std::int64_t gap = value_at(packet.gap, dexel.x, dexel.y) + packet.gap.c * z;
+  return {packet.facet, dexel.core.first <= z && z <= dexel.core.last, gap_of(n, gap)};
 }
 
 /// Fills the voxels of one facet. The grid keeps the best packed Claim to each voxel, in whatever

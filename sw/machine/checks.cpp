@@ -58,18 +58,18 @@ void check_packet(const MachineConfig& config, const facet::PacketStream& stream
     if (reach < 0 || reach >> bits != 0) refuse("its slab is too thick or a side pushed too far");
   };
   check_linear(packet.slab.value, plane_bits(n, f));
-  check_reach(packet.slab.width, plane_bits(n, f));
+  check_reach(packet.slab.width, width_bits(n, f));
   for (std::uint32_t i = 0; i < packet.side_count; ++i) {
     const facet::Side& side = stream.sides[packet.first_side + i];
     check_linear(side.value, side_bits(n, f));
     check_reach(side.push, push_bits(n, f));
   }
   // A gap may wrap: only what is left of it inside the facet is kept.
-  const int steepest = gap_value_bits(n);
-  if (!fits(packet.gap.a, steepest) || !fits(packet.gap.b, steepest) ||
-      !fits(packet.gap.c, steepest) || !fits(packet.gap.d, 48)) {
-    refuse("its gap is too large");
+  const std::int64_t steepest = std::int64_t{1} << gap_fraction_bits(n);
+  for (const std::int64_t slope : {packet.gap.a, packet.gap.b, packet.gap.c}) {
+    if (slope > steepest || slope < -steepest) refuse("its gap is too steep");
   }
+  if (!fits(packet.gap.d, 48)) refuse("its gap is too large");
 }
 
 [[noreturn]] void refuse_light(const LightJob& job, const std::string& why) {
@@ -130,11 +130,9 @@ void check_light(const MachineConfig& config, const LightJob& job) {
   if (job.rule == LightRule::thesis) return;
   if (!config.accurate_light) {
     refuse_light(job,
-                 "this machine knows the thesis's light rule only; leave out --light-rule, or use "
-                 "--machine golden");
+                 "this machine knows the thesis's light rule only; ask for it with --light-rule "
+                 "thesis, or use a machine that is in fast mode and has layers");
   }
-  if (job.blocking == nullptr)
-    refuse_light(job, "the accurate light rule must be told which facets block light");
 }
 
 void refuse_occupied_source(const LightJob& job, std::uint32_t owner) {

@@ -17,7 +17,7 @@ struct Claim {
   std::uint32_t facet = 0;
   bool core = false;
   /// Signed distance from the plane to the voxel centre along the plane's dominant axis, r / K,
-  /// rounded down to sixteenths of a voxel: -32 .. 31. Positive in front of the facet.
+  /// rounded down to sixteenths of a voxel: -64 .. 63. Positive in front of the facet.
   int gap = 0;
 
   /// The better claim has the lower number: {not core, distance, facet, behind}. Distances count
@@ -39,7 +39,7 @@ struct Claim {
 inline bool operator==(const Claim& a, const Claim& b) { return a.packed() == b.packed(); }
 
 /// The gap that a fixed-point value stands for: all its fraction bits but the first four fall away,
-/// and so does what a distance of less than two voxels has no need of.
+/// and so does what a distance of less than four voxels has no need of.
 inline int gap_of(int n, std::int64_t value) {
   constexpr int kSign = 1 << (kGapBits - 1);
   const auto bits = static_cast<std::uint64_t>(value) >> (gap_fraction_bits(n) - kGapFractionBits);

@@ -77,7 +77,7 @@ Word FeederWords::next() {
     return word;
   }
   Word word = linear_word(WordKind::gap, packet.gap);
-  word.facing = packet.facing;
+  word.surface = packet.surface;
   word_ = 0;
   next_packet();
   settle();

@@ -23,7 +23,7 @@ enum Register : std::uint8_t {
   kBusyCycles = 0x28,
   kHomeCycle = 0x2C,
   kHome = 0x30,
-  kGapAndFacing = 0x34,
+  kGapAndNormal = 0x34,
   kFeeders = 0x38,
   kLayers = 0x3C,
   kSourceX = 0x40,
@@ -36,14 +36,17 @@ enum Register : std::uint8_t {
   kBuild = 0x5C,
   kInverseBits = 0x60,
   kSkipped = 0x64,
+  kRule = 0x74,
 };
 
-constexpr std::uint32_t kMachineId = 0x52433201;
+constexpr std::uint32_t kMachineId = 0x52433202;
 constexpr std::uint32_t kBuildThesis = 1;
 constexpr std::uint32_t kBuildCounts = 2;
 constexpr std::uint32_t kBuildSkips = 4;
 constexpr std::uint32_t kCommandClear = 1;
 constexpr std::uint32_t kCommandStart = 2;
+constexpr std::uint32_t kCommandPrepare = 4;
+constexpr std::uint32_t kRuleAccurate = 1;
 constexpr std::uint32_t kStatusBusy = 1;
 constexpr std::uint32_t kStatusHome = 2;
 

@@ -6,37 +6,40 @@
 #include <cstdint>
 
 #include "sw/base/config.h"
+#include "sw/machine/plane.h"
 #include "sw/machine/word.h"
 
 namespace rc2 {
 
-enum class ReadWhat : std::uint8_t { voxels = 0, light = 1, counters = 2, layers = 3 };
+enum class ReadWhat : std::uint8_t { voxels = 0, light = 1, counters = 2, layers = 3, ends = 4 };
 
 /// Field widths of a machine's words, from its size.
 struct WordFormat {
-  int coordinate, count, coefficient, plane, gap, offset, side, push, lead, rest, value;
+  int coordinate, count, coefficient, width, gap, normal, offset, side, push, lead, rest, value;
 
   explicit WordFormat(const MachineConfig& config)
       : coordinate(coordinate_bits(config.n)),
         count(bits_for(config.n + 1)),
         coefficient(coefficient_bits(config.n, config.fraction_bits)),
-        plane(plane_bits(config.n, config.fraction_bits)),
+        width(width_bits(config.n, config.fraction_bits)),
         gap(gap_value_bits(config.n)),
+        normal(normal_bits(config.n)),
         offset(offset_bits(config.n, config.fraction_bits)),
         side(side_bits(config.n, config.fraction_bits)),
         push(push_bits(config.n, config.fraction_bits)),
         lead(std::max(2 * count, coefficient)),
-        rest(std::max({kLayerBits + plane + kFacetBits + 2 * coordinate, coefficient + offset,
-                       kFacingBits + gap + offset, push + side + offset})),
+        rest(std::max({kLayerBits + width + kFacetBits + 2 * coordinate, coefficient + offset,
+                       kSurfaceBits + normal + gap + offset, push + side + offset})),
         value(std::max(kClaimBits, home_bits(config.max_distance) + coordinate)) {}
 
   int packet_bits() const { return kKindBits + 2 * lead + rest; }
   int readback_bits() const { return 2 + coordinate + value; }
 
-  /// What the machine's register of the same name holds: of a claim and of a way to face, a byte
-  /// each.
-  static constexpr std::uint32_t gap_and_facing() {
-    return kGapFractionBits << 24 | kGapBits << 16 | kFacingBits << 8 | kOppositeFacings;
+  /// What the machine's register of the same name holds: fraction bits and bits of a gap and of a
+  /// component of a normal, a byte each.
+  static constexpr std::uint32_t gap_and_normal(int n) {
+    return static_cast<std::uint32_t>(kGapFractionBits << 24 | kGapBits << 16 |
+                                      normal_fraction_bits(n) << 8 | normal_bits(n));
   }
 
   static constexpr int kKindBits = 3;
@@ -61,8 +64,8 @@ class HostWord {
       fill(0, format.coordinate, word.z0);
       fill(format.coordinate, format.coordinate, word.z_span);
       fill(2 * format.coordinate, kFacetBits, word.facet);
-      fill(2 * format.coordinate + kFacetBits, format.plane, word.reach);
-      fill(2 * format.coordinate + kFacetBits + format.plane, kLayerBits,
+      fill(2 * format.coordinate + kFacetBits, format.width, word.reach);
+      fill(2 * format.coordinate + kFacetBits + format.width, kLayerBits,
            static_cast<std::int64_t>(word.layer));
       fill(cells, format.count, word.skip[0]);
       fill(cells + format.count, format.count, word.take[0]);
@@ -77,7 +80,11 @@ class HostWord {
     fill(0, format.offset, word.d);
     fill(format.offset, c_bits, word.c);
     if (side) fill(format.offset + c_bits, format.push, word.reach);
-    if (gap) fill(format.offset + c_bits, kFacingBits, word.facing);
+    if (gap) {
+      const int after = format.offset + c_bits;
+      fill(after, format.normal, normal_part(word.step[1]));
+      fill(after + format.normal, kSurfaceBits, static_cast<std::int64_t>(word.surface));
+    }
     fill(cells, format.coefficient, word.step[0]);
     if (with_rows) fill(rows, format.coefficient, word.step[1]);
   }
@@ -132,9 +139,9 @@ inline Word unpack_word(const WordFormat& format, const HostWord::Limbs& limbs,
     word.z0 = number(0, format.coordinate);
     word.z_span = number(format.coordinate, format.coordinate);
     word.facet = static_cast<std::uint32_t>(field(2 * format.coordinate, kFacetBits));
-    word.reach = field(2 * format.coordinate + kFacetBits, format.plane);
+    word.reach = field(2 * format.coordinate + kFacetBits, format.width);
     word.layer = static_cast<facet::Layer>(
-        field(2 * format.coordinate + kFacetBits + format.plane, kLayerBits));
+        field(2 * format.coordinate + kFacetBits + format.width, kLayerBits));
     for (std::size_t pipe = 0; pipe < pipes; ++pipe) {
       const int lead = format.rest + static_cast<int>(pipe) * format.lead;
       word.skip[pipe] = number(lead, format.count);
@@ -147,7 +154,12 @@ inline Word unpack_word(const WordFormat& format, const HostWord::Limbs& limbs,
   word.d = with_sign(0, format.offset);
   word.c = with_sign(format.offset, c_bits);
   if (side) word.reach = field(format.offset + c_bits, format.push);
-  if (gap) word.facing = static_cast<std::uint8_t>(field(format.offset + c_bits, kFacingBits));
+  if (gap) {
+    word.surface =
+        static_cast<facet::Surface>(field(format.offset + c_bits + format.normal, kSurfaceBits));
+    // Who has no lead of the rows knows b as it is in the normal.
+    word.step[1] = with_sign(format.offset + c_bits, format.normal) << 2;
+  }
   for (std::size_t pipe = 0; pipe < pipes; ++pipe) {
     word.step[pipe] =
         with_sign(format.rest + static_cast<int>(pipe) * format.lead, format.coefficient);

@@ -21,9 +21,8 @@ namespace rc2 {
 
 /// Where light ends (docs/light.md).
 ///  - thesis    in every occupied voxel (4.3)
-///  - accurate  where the owner turns away from the light, and inside solids; what faces the light
-///  is
-///              lit and passed. Needs all layers.
+///  - accurate  where the owner turns away from the light, inside solids and behind sheets; what
+///              faces the light is lit and passed. Needs all layers.
 enum class LightRule { thesis, accurate };
 
 /// Throws Error on an unknown word.
@@ -36,9 +35,6 @@ struct LightJob {
   int target_distance;
   int fa;
   LightRule rule = LightRule::thesis;
-  /// Of each facet, whether light ends at it (facet::find_blocking): a bit per facet and light that
-  /// reaches the voxels through their owners. LightRule::accurate only.
-  const std::vector<bool>* blocking = nullptr;
 };
 
 /// Number of targets of one source: the surface of the cube of half-side L, each edge once.
@@ -56,11 +52,12 @@ struct LoadResult {
 };
 
 struct LightResult {
-  std::int64_t cycles = 0;       ///< start .. last busy cycle of any cell; 0 on golden
-  std::int64_t home_cycles = 0;  ///< start .. last target counted home at the root; 0 on golden
-  std::int64_t visits = 0;       ///< beams served by all cells (golden: voxels examined by rays)
-  std::int64_t merged = 0;       ///< beams that were merged into another
-  std::int64_t max_queue = 0;    ///< deepest FA seen in any cell; 0 on golden
+  std::int64_t prepare_cycles = 0;  ///< for the columns to see where this light ends; 0 on golden
+  std::int64_t cycles = 0;          ///< start .. last busy cycle of any cell; 0 on golden
+  std::int64_t home_cycles = 0;     ///< start .. last target counted home at the root; 0 on golden
+  std::int64_t visits = 0;          ///< beams served by all cells (golden: voxels examined by rays)
+  std::int64_t merged = 0;          ///< beams that were merged into another
+  std::int64_t max_queue = 0;       ///< deepest FA seen in any cell; 0 on golden
   TargetCount targets;
   /// A signature of the depth of every queue in every cycle (QueueHistory); 0 on golden.
   std::uint64_t queue_history = 0;
@@ -82,12 +79,12 @@ using VoxelMemory = std::vector<VoxelRecord>;
 /// What a voxel is part of; see facet::Layer.
 struct LayerRecord {
   glm::ivec3 at;
-  bool armour, shown, inside, thin;
+  bool armour, shown, inside, guard;  ///< guard only without armour
 };
 
 inline bool operator==(const LayerRecord& a, const LayerRecord& b) {
-  return std::tie(a.at.x, a.at.y, a.at.z, a.armour, a.shown, a.inside, a.thin) ==
-         std::tie(b.at.x, b.at.y, b.at.z, b.armour, b.shown, b.inside, b.thin);
+  return std::tie(a.at.x, a.at.y, a.at.z, a.armour, a.shown, a.inside, a.guard) ==
+         std::tie(b.at.x, b.at.y, b.at.z, b.armour, b.shown, b.inside, b.guard);
 }
 
 /// Every voxel that is part of any layer, sorted by z, then y, then x.

@@ -32,10 +32,10 @@ class Readback {
   std::vector<std::vector<Said>> cells_;
 };
 
-/// {thin, inside, shown, armour}.
+/// {guard, inside, shown, armour}.
 inline std::uint32_t packed_layers(const LayerRecord& voxel) {
   return (voxel.armour ? 1U : 0U) | (voxel.shown ? 2U : 0U) | (voxel.inside ? 4U : 0U) |
-         (voxel.thin ? 8U : 0U);
+         (voxel.guard ? 8U : 0U);
 }
 
 inline LayerRecord unpacked_layers(glm::ivec3 at, std::uint32_t value) {

@@ -33,8 +33,8 @@ struct Word {
   // array to the next, and c of c*z + d.
   std::array<std::int64_t, 2> step{};
   std::int64_t c = 0, d = 0;
-  std::int64_t reach = 0;    ///< HEAD: width of the slab; SIDE: push
-  std::uint8_t facing = 13;  ///< GAP
+  std::int64_t reach = 0;                          ///< HEAD: width of the slab; SIDE: push
+  facet::Surface surface = facet::Surface::solid;  ///< GAP
 };
 
 }  // namespace rc2

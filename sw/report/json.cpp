@@ -15,6 +15,7 @@ LightResult totals(const Report& report) {
   LightResult sum;
   for (const Source& source : report.sources) {
     const LightResult& one = source.result;
+    sum.prepare_cycles += one.prepare_cycles;
     sum.cycles += one.cycles;
     sum.home_cycles += one.home_cycles;
     sum.visits += one.visits;
@@ -49,6 +50,7 @@ Json targets(const TargetCount& count) {
 Json source(const Source& light) {
   return {{"voxel", voxel(light.voxel)},
           {"colour", colour(light.colour)},
+          {"prepare_cycles", light.result.prepare_cycles},
           {"cycles", light.result.cycles},
           {"home_cycles", light.result.home_cycles},
           {"lit", light.lit},
@@ -121,6 +123,7 @@ std::string to_json(const Report& report) {
                     {"default", report.lights.by_default}};
   json["cycles"] = {
       {"load", report.load.cycles},
+      {"prepare", per_source(report, [](const Source& s) { return s.result.prepare_cycles; })},
       {"light", per_source(report, [](const Source& s) { return s.result.cycles; })},
       {"home", per_source(report, [](const Source& s) { return s.result.home_cycles; })},
       {"hop_stages", report.hop_stages}};

@@ -95,7 +95,7 @@ void light_lines(Page& page, const Report& report) {
   const bool clocked = report.machine != "golden";
   std::vector<std::string> head = {"light",    "voxel",   "colour", "lit voxels",
                                    "absorbed", "escaped", "skipped"};
-  if (clocked) head.insert(head.end(), {"cycles", "beams served", "merged", "deepest queue"});
+  if (clocked) head.insert(head.end(), {"to prepare", "cycles", "beams served", "merged", "deepest queue"});
   std::vector<std::vector<std::string>> rows = {head};
   for (std::size_t k = 0; k < report.sources.size(); ++k) {
     const Source& light = report.sources[k];
@@ -108,7 +108,7 @@ void light_lines(Page& page, const Report& report) {
          std::to_string(result.targets.escaped), std::to_string(result.targets.skipped)});
     if (!clocked) continue;
     for (const std::int64_t value :
-         {result.cycles, result.visits, result.merged, result.max_queue}) {
+         {result.prepare_cycles, result.cycles, result.visits, result.merged, result.max_queue}) {
       rows.back().push_back(std::to_string(value));
     }
   }

@@ -29,11 +29,11 @@ HostPort::HostPort(Machine& machine) : machine_(machine), format_(machine.config
 }
 
 bool HostPort::is_register(std::uint64_t address) {
-  return address % 4 == 0 && address <= kDeepestQueue;
+  return address % 4 == 0 && address <= kPrepareCycles;
 }
 
 bool HostPort::is_writable(std::uint64_t address) {
-  return address == kCommand || (address % 4 == 0 && address >= kSourceX && address <= kInverse);
+  return address == kCommand || address == kRule || (address % 4 == 0 && address >= kSourceX && address <= kInverse);
 }
 
 std::uint32_t HostPort::read(std::uint64_t address) {
@@ -82,8 +82,8 @@ std::uint32_t HostPort::read(std::uint64_t address) {
       return fa_;
     case kTargets:
       return targets_;
-    case kGapAndFacing:
-      return WordFormat::gap_and_facing();
+    case kGapAndNormal:
+      return WordFormat::gap_and_normal(config.n);
     case kInverse:
       return inverse_;
     case kBuild:
@@ -92,6 +92,8 @@ std::uint32_t HostPort::read(std::uint64_t address) {
       return low(inverse_bits(config));
     case kSkipped:
       return low(light_.targets.skipped);
+    case kRule:
+      return rule_;
     case kWaiting:
       return low(static_cast<std::int64_t>(waiting()));
     case kVisitsLow:
@@ -100,6 +102,10 @@ std::uint32_t HostPort::read(std::uint64_t address) {
       return low(light_.visits >> 32);
     case kDeepestQueue:
       return low(light_.max_queue);
+    case kAbsorbed:
+      return low(light_.targets.absorbed);
+    case kPrepareCycles:
+      return low(light_.prepare_cycles);
     default:
       return 0;
   }
@@ -128,7 +134,12 @@ void HostPort::write(std::uint64_t address, std::uint32_t value) {
     case kInverse:
       inverse_ = value;
       break;
+    case kRule:
+      rule_ = value & kRuleAccurate;
+      break;
     case kCommand:
+      // Where a light stops the model looks up when it starts.
+      if ((value & kCommandPrepare) != 0) busy_cycles_ = 0;
       if ((value & kCommandClear) != 0) {
         reader_ = {};
         loaded_ = false;
@@ -144,7 +155,7 @@ void HostPort::write(std::uint64_t address, std::uint32_t value) {
 void HostPort::push(const HostWord::Limbs& limbs) {
   const Word word = unpack_word(format_, limbs);
   if (word.kind == WordKind::read) {
-    answer(static_cast<ReadWhat>(word.d & 3));
+    answer(static_cast<ReadWhat>(word.d & 7));
   } else {
     reader_.read(word);
     loaded_ = false;
@@ -177,26 +188,28 @@ LightJob HostPort::job() const {
     constexpr std::uint32_t kTooLarge = 1U << 30;
     return static_cast<int>(std::min(value, kTooLarge));
   };
-  return {
-      {number(source_x_), number(source_y_), number(source_z_)}, number(distance_), number(fa_)};
+  return {{number(source_x_), number(source_y_), number(source_z_)},
+          number(distance_),
+          number(fa_),
+          rule_ != 0 ? LightRule::accurate : LightRule::thesis};
 }
 
 void HostPort::start() {
   settle();
   light_ = machine_.light(job(), {});
   busy_cycles_ = light_.cycles;
-  cycles_ += busy_cycles_;
+  cycles_ += light_.prepare_cycles + busy_cycles_;
 }
 
 void HostPort::answer(ReadWhat what) {
   settle();
   const MachineConfig& config = machine_.config();
-  if (what == ReadWhat::counters) {
+  if (what == ReadWhat::counters || what == ReadWhat::ends) {
     throw Error(fmt::format(
-        "the counters of single cells are not part of the model; read the registers {:02X}, {:02X} "
-        "and {:02X}, which sum them up",
+        "the counters of single cells are not part of the model; read the registers {:02X}, {:02X}, "
+        "{:02X} and {:02X}, which sum them up",
         static_cast<int>(kVisitsLow), static_cast<int>(kVisitsHigh),
-        static_cast<int>(kDeepestQueue)));
+        static_cast<int>(kDeepestQueue), static_cast<int>(kAbsorbed)));
   }
   const Readback readback = what == ReadWhat::voxels   ? readback_of(config, machine_.read_voxels())
                             : what == ReadWhat::layers ? readback_of(config, machine_.read_layers())

@@ -49,7 +49,7 @@ class HostPort {
   PacketReader reader_;
   bool loaded_ = false;
   std::uint32_t source_x_ = 0, source_y_ = 0, source_z_ = 0, distance_ = 0, fa_ = 0, targets_ = 0,
-                inverse_ = 0;
+                inverse_ = 0, rule_ = 0;
   LightResult light_;
   std::int64_t busy_cycles_ = 0, cycles_ = 0;
   std::deque<std::uint64_t> readback_;

@@ -7,10 +7,12 @@ namespace rc2::tlm {
 
 /// The registers of sw/machine/host_port.h and, after them, these; 32 bits each.
 enum ModelRegister : std::uint8_t {
-  kWaiting = 0x80,      ///< beats of readback that wait
-  kVisitsLow = 0x84,    ///< beams served by the last light
-  kVisitsHigh = 0x88,   ///< their upper 32 bits
-  kDeepestQueue = 0x8C  ///< of the last light
+  kWaiting = 0x80,       ///< beats of readback that wait
+  kVisitsLow = 0x84,     ///< beams served by the last light
+  kVisitsHigh = 0x88,    ///< their upper 32 bits
+  kDeepestQueue = 0x8C,  ///< of the last light
+  kAbsorbed = 0x90,      ///< its targets that ended in voxels
+  kPrepareCycles = 0x94  ///< cycles that it took to prepare
 };
 constexpr std::uint64_t kRegisters = 0x0000, kRegistersSize = 0x100;
 

@@ -31,7 +31,7 @@ void PacketReader::read(const Word& word) {
     case WordKind::gap:
       if (last_ != WordKind::slab && last_ != WordKind::side) refuse("GAP without its SLAB");
       packets_.heads.back().gap = linear(word);
-      packets_.heads.back().facing = word.facing;
+      packets_.heads.back().surface = word.surface;
       break;
     case WordKind::end:
       if (open) refuse("END in the middle of a packet");

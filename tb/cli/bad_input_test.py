@@ -94,7 +94,7 @@ class Options(HostTest):
         self.refuse("run", "room", "--machine", "abacus", says="abacus")
         self.refuse("run", "room", "--fit", "sphere", says="sphere")
         self.refuse("run", "room", "--light-rule", "lamp", says="lamp")
-        self.refuse("run", "room", "--light-rule", "accurate", "--machine", "cycle", says="golden")
+        self.refuse("run", "room", "--light-rule", "accurate", "--mode", "thesis", says="--light-rule")
         self.refuse("light-error", "plates:0", "--n", 16, says="plates:0")
         self.refuse("run", "room", "--rule", "leather", says="leather")
         self.refuse("run", "room", "--seed", "-1", says="--seed")

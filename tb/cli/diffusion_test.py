@@ -18,12 +18,24 @@ class Diffusion(HostTest):
         for row in rows:
             self.succeed("run", "shells:10:1", "--machine", "cycle", "--n", 12, "--mode", row["mode"],
                          "--light", f"{row['x']},{row['y']},{row['z']}", "--target-distance", row["L"],
-                         "--fa", row["fa"])
+                         "--fa", row["fa"], "--light-rule", "thesis")
             (light,) = self.report()["sources"]
             self.assertEqual(light["cycles"], int(row["T"]))
             self.assertEqual(light["beams"], {"visits": int(row["visits"]), "merged": int(row["merged"]),
                                               "max_queue": int(row["deepest"])})
             self.assertRegex(text, rf"\b{row['T']}\b")
+
+    def test_the_accurate_rule_beside_the_thesis_s(self):
+        rows, _ = self.lights("room", "--n", 16, "--light-rule", "thesis,accurate")
+        self.assertEqual([row["rule"] for row in rows if row["mode"] == "thesis"], ["thesis"] * 6)
+        fast = [row for row in rows if row["mode"] == "fast"]
+        self.assertEqual([row["rule"] for row in fast], ["thesis", "accurate"] * 6)
+        for row in fast:
+            self.assertEqual(row["prepare"] == "0", row["rule"] == "thesis")
+            self.succeed("run", "room", "--machine", "cycle", "--n", 16, "--light-rule", row["rule"], "--light",
+                         f"{row['x']},{row['y']},{row['z']}", "--target-distance", row["L"], "--fa", row["fa"])
+            cycles = self.report()["cycles"]
+            self.assertEqual(cycles["light"] + cycles["prepare"], [int(row["T"]), int(row["prepare"])])
 
     def test_sources_bounds_and_excess(self):
         rows, _ = self.lights("empty", "dust:3:1", "--n", "8,9", "--fa", 4, "--skip", "off")

@@ -68,13 +68,13 @@ class Layers(HostTest):
     def test_inside_a_box(self):
         scene = self.write("box.obj", box(9.25))
         found = self.layers(scene, "--fit", "none", "--layers", "all")
-        self.assertEqual((found["inside voxels"], found["thin voxels"], found["solids"]), (216, 0, 1))
+        self.assertEqual((found["inside voxels"], found["guard voxels"], found["solids"]), (216, 0, 1))
 
     def test_a_plate_is_thin(self):
         scene = self.write("plate.obj", box(3.5))
         found = self.layers(scene, "--fit", "none", "--layers", "all")
         self.assertEqual((found["inside voxels"], found["solids"]), (0, 1))
-        self.assertGreaterEqual(found["thin voxels"], 36)
+        self.assertGreaterEqual(found["guard voxels"], 36)
 
     def test_nothing_is_inside_what_is_open(self):
         scene = self.write("open.obj", box(9.25, sides=5))

@@ -30,7 +30,7 @@ class Run(HostTest):
     def check_report(self, report, machine, n):
         self.assertEqual((report["machine"], report["n"]), (machine, n))
         self.assertEqual((report["L"], report["fa"]), (2 * n, 16))
-        self.assertEqual((report["rule"], report["light_rule"]), ("armoured", "thesis"))
+        self.assertEqual((report["rule"], report["light_rule"]), ("armoured", "accurate"))
         facets = report["facets"]
         self.assertGreaterEqual(facets["loaded"] + facets["degenerate"] + facets["outside"],
                                 facets["read"])

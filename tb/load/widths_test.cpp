@@ -95,7 +95,8 @@ TEST(Widths, HoldWhateverAFacetInTheCubeCanBe) {
 
       ASSERT_LE(signed_bits(edge), side_bits(n, f)) << "a side's coefficients";
       ASSERT_LE(signed_bits(unit.component * area), plane) << "A, B, C";
-      ASSERT_LE(unsigned_bits(unit.sum * area), plane) << "the slab's width S; 2 K is less";
+      ASSERT_LE(unsigned_bits((2 * unit.sum + unit.component) * area), width_bits(n, f))
+          << "a guard's width 2 S + K; others are less";
       ASSERT_LE(unsigned_bits(edge + 1), push_bits(n, f)) << "half of two edges, rounded";
 
       // One more, because a tie rounds down from where it is.
@@ -185,7 +186,7 @@ TEST(Widths, AreReachedWithinOneBit) {
       SCOPED_TRACE("n = " + std::to_string(n) + ", f = " + std::to_string(f));
       EXPECT_LE(signed_bits(used.coefficient), plane_bits(n, f));
       EXPECT_LE(signed_bits(used.value), offset_bits(n, f));
-      EXPECT_LE(unsigned_bits(used.width), plane_bits(n, f));
+      EXPECT_LE(unsigned_bits(used.width), width_bits(n, f));
       EXPECT_LE(signed_bits(used.edge), side_bits(n, f));
       EXPECT_LE(unsigned_bits(used.push), push_bits(n, f));
       if (n < 16 || f < 1) continue;  // too few steps to move off a corner by

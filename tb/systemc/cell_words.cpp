@@ -10,7 +10,7 @@ std::vector<Word> words_before(int x, int y, const facet::PacketHead& packet,
   const int first = std::max(x, packet.lo.x);  // the next cell that the packet serves
   const auto linear = [&](WordKind kind, const facet::Linear& value) {
     Word word{kind};
-    word.step[0] = value.a;
+    word.step = {value.a, value.b};
     word.c = value.c;
     word.d = value.d + value.a * (first - packet.lo.x) + value.b * (y - packet.lo.y);
     return word;
@@ -29,7 +29,7 @@ std::vector<Word> words_before(int x, int y, const facet::PacketHead& packet,
     words.back().reach = sides[i].push;
   }
   words.push_back(linear(WordKind::gap, packet.gap));
-  words.back().facing = packet.facing;
+  words.back().surface = packet.surface;
   return words;
 }
 

@@ -123,6 +123,7 @@ class Target : public testing::Test {
     write(kDistance, static_cast<std::uint32_t>(job.target_distance));
     write(kFa, static_cast<std::uint32_t>(job.fa));
     write(kTargets, static_cast<std::uint32_t>(total_targets(job.target_distance)));
+    write(kRule, job.rule == LightRule::accurate ? kRuleAccurate : 0);
     return try_write(kCommand, kCommandStart);
   }
 
@@ -161,7 +162,8 @@ TEST_F(Target, DoesWhatTheMachineDoes) {
     ASSERT_EQ(ask(ReadWhat::voxels), all_beats(readback_of(kConfig, direct.read_voxels())));
     ASSERT_EQ(ask(ReadWhat::layers), all_beats(readback_of(kConfig, direct.read_layers())));
 
-    const LightJob job{pick_voxel(dice, kConfig.n), pick(dice, 1, 20), pick(dice, 1, 16)};
+    const LightJob job{pick_voxel(dice, kConfig.n), pick(dice, 1, 20), pick(dice, 1, 16),
+                       round % 2 == 0 ? LightRule::accurate : LightRule::thesis};
     const auto voxels = direct.read_voxels();
     const bool free = std::none_of(voxels.begin(), voxels.end(),
                                    [&](const VoxelRecord& v) { return v.at == job.source; });
@@ -173,13 +175,15 @@ TEST_F(Target, DoesWhatTheMachineDoes) {
     ++lights;
     const LightResult result = direct.light(job, {});
     ASSERT_EQ(light(job), ::tlm::TLM_OK_RESPONSE);
-    ASSERT_EQ(cycles_, result.cycles + kRegisterCycles);
+    ASSERT_EQ(cycles_, result.prepare_cycles + result.cycles + kRegisterCycles);
     ASSERT_EQ(read(kStatus), kStatusHome);
     ASSERT_EQ(read(kHome), result.targets.total);
     ASSERT_EQ(read(kHomeCycle), result.home_cycles);
     ASSERT_EQ(read(tlm::kVisitsLow), result.visits);
     ASSERT_EQ(read(tlm::kVisitsHigh), 0U);
     ASSERT_EQ(read(tlm::kDeepestQueue), result.max_queue);
+    ASSERT_EQ(read(tlm::kAbsorbed), result.targets.absorbed);
+    ASSERT_EQ(read(tlm::kPrepareCycles), result.prepare_cycles);
     ASSERT_EQ(ask(ReadWhat::light), all_beats(readback_of(kConfig, voxels, direct.read_light())));
   }
   EXPECT_GT(lights, 20);
@@ -207,8 +211,8 @@ TEST_F(Target, RefusesWhatCannotBe) {
     tlm_response_status status;
   };
   const Case cases[] = {
-      {kRead, 0x90, 4, ::tlm::TLM_ADDRESS_ERROR_RESPONSE},  // beyond the last register
-      {kWrite, 0x90, 4, ::tlm::TLM_ADDRESS_ERROR_RESPONSE},
+      {kRead, 0x98, 4, ::tlm::TLM_ADDRESS_ERROR_RESPONSE},  // beyond the last register
+      {kWrite, 0x98, 4, ::tlm::TLM_ADDRESS_ERROR_RESPONSE},
       {kRead, 0x100, 4, ::tlm::TLM_ADDRESS_ERROR_RESPONSE},   // between the windows
       {kRead, 0x3000, 8, ::tlm::TLM_ADDRESS_ERROR_RESPONSE},  // beyond them
       {kWrite, 0x1FE0, 64, ::tlm::TLM_ADDRESS_ERROR_RESPONSE},

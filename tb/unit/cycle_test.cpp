@@ -70,9 +70,13 @@ void expect_same_light(Machine& machine, Machine& golden, const LightJob& job) {
   const LightResult ours = machine.light(job, {}), theirs = golden.light(job, {});
   EXPECT_EQ(machine.read_light(), golden.read_light());
   EXPECT_EQ(ours.targets.total, theirs.targets.total);
-  EXPECT_EQ(ours.targets.absorbed, theirs.targets.absorbed);
-  // What would have escaped may have been skipped.
-  EXPECT_EQ(ours.targets.escaped + ours.targets.skipped, theirs.targets.escaped);
+  // What would have escaped may have been skipped, and by the accurate rule what would have ended in
+  // voxels that are not there to be lit.
+  if (job.rule == LightRule::thesis) {
+    EXPECT_EQ(ours.targets.absorbed, theirs.targets.absorbed);
+  }
+  EXPECT_EQ(ours.targets.absorbed + ours.targets.escaped + ours.targets.skipped,
+            theirs.targets.absorbed + theirs.targets.escaped);
   // A beam is at least one ray; the source's six are not among the voxels that rays examine.
   EXPECT_LE(ours.visits, theirs.visits + 6);
   const std::int64_t n = machine.config().n;
@@ -255,14 +259,14 @@ TEST(CycleColumns, KeepTheBestClaimAndEveryTarget) {
     const int z = pick(dice, 0, n - 1);
     const Claim claim{static_cast<std::uint32_t>(pick(dice, 0, 1000)), pick(dice, 0, 1) == 0,
                       pick(dice, -3, 3)};
-    columns.fill(column, z, claim, 13);
+    columns.fill(column, z, {claim});
     const auto [voxel, first] = expected.try_emplace(z, claim.packed(), 0);
     if (!first) voxel->second.first = std::min(voxel->second.first, claim.packed());
   }
   for (auto& [z, voxel] : expected) {
     for (int k = pick(dice, 0, 3); k > 0; --k) {
       const int targets = pick(dice, 1, 100);
-      columns.absorb(column, z, targets);
+      columns.light(column, z, targets);
       voxel.second += static_cast<std::uint32_t>(targets);
     }
   }
@@ -272,7 +276,7 @@ TEST(CycleColumns, KeepTheBestClaimAndEveryTarget) {
     EXPECT_FALSE(columns.occupied(column - 1, z));
     EXPECT_FALSE(columns.occupied(column + 1, z));
     if (voxel == expected.end()) continue;
-    EXPECT_EQ(columns.owner(column, z).packed(), voxel->second.first);
+    EXPECT_EQ(columns.owner(column, z).claim.packed(), voxel->second.first);
     EXPECT_EQ(columns.arrived(column, z), voxel->second.second);
   }
 }
@@ -450,7 +454,7 @@ TEST(CycleLight, DoesNotDependOnTheOrderOfCells) {
     Columns columns(n);
     for (int i = 0; i < n * n * n / 10; ++i) {
       const glm::ivec3 at = pick_voxel(dice, n);
-      if (at != job.source) columns.fill(cell_number(at.x, at.y, n), at.z, {}, 13);
+      if (at != job.source) columns.fill(cell_number(at.x, at.y, n), at.z, {});
     }
     const Trace shuffled = run_in_any_order(dice, n, columns, job);
     Trace trace;

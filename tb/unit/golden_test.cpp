@@ -38,13 +38,13 @@ Rank rank(const Claim& claim) {
   return {!claim.core, std::max(claim.gap, -1 - claim.gap), claim.facet};
 }
 
-// Sixteenths, rounded down, of which only what lies within two voxels is kept.
+// Sixteenths, rounded down, of which only what lies within four voxels is kept.
 int brute_force_gap(const Exact& value, int n) {
   const Exact unit = Exact(1) << (coordinate_bits(n) + 2);
   Exact sixteenths = value / unit;
   if (sixteenths * unit > value) --sixteenths;
-  while (sixteenths >= 32) sixteenths -= 64;
-  while (sixteenths < -32) sixteenths += 64;
+  while (sixteenths >= 64) sixteenths -= 128;
+  while (sixteenths < -64) sixteenths += 128;
   return static_cast<int>(sixteenths);
 }
 
@@ -91,15 +91,12 @@ Owners brute_force_owners(const PacketStream& stream, int n) {
 }
 
 struct VoxelLayers {
-  bool shown = false, inside = false, thin = false, parity = false;
+  bool shown = false, inside = false, guard = false, parity = false;
 };
 
 // The layers by their definition, batch by batch.
 std::map<Voxel, VoxelLayers> brute_force_layers(const PacketStream& stream, int n,
                                                 const Owners& owners) {
-  std::map<std::uint32_t, int> facing;
-  for (const auto& head : stream.heads)
-    if (head.layer == facet::Layer::armour) facing[head.facet] = head.facing;
   std::map<Voxel, VoxelLayers> layers;
   for (const auto& batch : stream.batches) {
     for (std::uint32_t i = batch.first; i < batch.first + batch.count; ++i) {
@@ -107,10 +104,8 @@ std::map<Voxel, VoxelLayers> brute_force_layers(const PacketStream& stream, int 
       std::map<std::pair<int, int>, int> lowest;  // filled voxel of a column
       for_each_filled(stream, head, [&](const glm::ivec3& at, bool) {
         if (head.layer == facet::Layer::shown) layers[key(at)].shown = true;
-        const auto owner = owners.find(key(at));
-        if (head.layer == facet::Layer::thin && owner != owners.end() &&
-            facing[owner->second.facet] == 26 - head.facing)
-          layers[key(at)].thin = true;
+        if (head.layer == facet::Layer::guard && owners.count(key(at)) == 0)
+          layers[key(at)].guard = true;
         const auto [low, first] = lowest.try_emplace({at.x, at.y}, at.z);
         if (!first) low->second = std::min(low->second, at.z);
       });
@@ -161,7 +156,7 @@ TEST(GoldenLoad, FillsWhatEveryBoundAllows) {
 
 TEST(GoldenLoad, KeepsTheLayersByTheirDefinition) {
   Dice dice(4);
-  std::int64_t shown = 0, inside = 0, thin = 0;
+  std::int64_t shown = 0, inside = 0, guard = 0;
   for (int round = 0; round < 1000; ++round) {
     SCOPED_TRACE(testing::Message() << "round " << round);
     const int n = pick(dice, 2, 8);
@@ -178,23 +173,23 @@ TEST(GoldenLoad, KeepsTheLayersByTheirDefinition) {
       EXPECT_EQ(voxel.armour, owners.count(key(voxel.at)) > 0);
       EXPECT_EQ(voxel.shown, want.shown);
       EXPECT_EQ(voxel.inside, want.inside);
-      EXPECT_EQ(voxel.thin, want.thin);
+      EXPECT_EQ(voxel.guard, want.guard);
       shown += voxel.shown;
       inside += voxel.inside;
-      thin += voxel.thin;
+      guard += voxel.guard;
       ++found;
     }
     for (const auto& [at, owner] : owners) expected.try_emplace(at);
     const auto any = [&](const auto& entry) {
       const auto& [at, voxel] = entry;
-      return voxel.shown || voxel.inside || voxel.thin || owners.count(at) > 0;
+      return voxel.shown || voxel.inside || voxel.guard || owners.count(at) > 0;
     };
     EXPECT_EQ(found,
               static_cast<std::size_t>(std::count_if(expected.begin(), expected.end(), any)));
   }
   EXPECT_GT(shown, 3000);
   EXPECT_GT(inside, 3000);
-  EXPECT_GT(thin, 200);
+  EXPECT_GT(guard, 200);
 }
 
 TEST(GoldenLoad, ListsVoxelsByZThenYThenX) {
@@ -248,17 +243,20 @@ TEST(GoldenLoad, RefusesPacketsThatDoNotFit) {
   const std::int64_t offset = std::int64_t{1} << (offset_bits(8, 4) - 1);
   const std::int64_t edge = std::int64_t{1} << (side_bits(8, 4) - 1);
   const std::int64_t lowest = std::numeric_limits<std::int64_t>::min();
-  const std::int64_t flat = std::int64_t{1} << (gap_value_bits(8) - 1);
-  const std::vector<Slab> bad_slabs = {
-      {{coefficient, 0, 0, 0}, 0},    {{0, -coefficient - 1, 0, 0}, 0}, {{0, 0, coefficient, 0}, 0},
-      {{0, 0, 0, offset}, 0},         {{0, 0, 0, lowest}, 0},           {{0, 0, 0, 0}, -1},
-      {{0, 0, 0, 0}, 2 * coefficient}};
+  const std::int64_t steep = (std::int64_t{1} << gap_fraction_bits(8)) + 1;
+  const std::vector<Slab> bad_slabs = {{{coefficient, 0, 0, 0}, 0},
+                                       {{0, -coefficient - 1, 0, 0}, 0},
+                                       {{0, 0, coefficient, 0}, 0},
+                                       {{0, 0, 0, offset}, 0},
+                                       {{0, 0, 0, lowest}, 0},
+                                       {{0, 0, 0, 0}, -1},
+                                       {{0, 0, 0, 0}, std::int64_t{1} << width_bits(8, 4)}};
   const std::vector<Side> bad_sides = {{{edge, 0, 0, 0}, 0},
                                        {{0, 0, -edge - 1, 0}, 0},
                                        {{0, 0, 0, -offset - 1}, 0},
                                        {{0, 0, 0, 0}, -1},
                                        {{0, 0, 0, 0}, std::int64_t{1} << push_bits(8, 4)}};
-  const std::vector<Linear> bad_gaps = {{flat, 0, 0, 0}, {0, 0, -flat - 1, 0}, {0, 0, 0, lowest}};
+  const std::vector<Linear> bad_gaps = {{steep, 0, 0, 0}, {0, 0, -steep, 0}, {0, 0, 0, lowest}};
   for (const Slab& slab : bad_slabs) {
     PacketStream stream;
     add_packet(stream, 0, {0, 0, 0}, {1, 1, 1}, slab);

@@ -156,8 +156,9 @@ TEST(StopTable, SaysWhatBecomesOfEachTarget) {
     Columns columns(n);
     const int share = pick(dice, 1, 9);
     for (int z = 0; z < n; ++z) {
-      if (pick(dice, 0, share) == 0) columns.fill(0, z, {}, 0);
+      if (pick(dice, 0, share) == 0) columns.fill(0, z, {});
     }
+    columns.darken();
     const int first = std::max(0, source_z - slope.step);
     const int last = std::min(n - 1, source_z + slope.step);
     const Targets clip = slope.between(first - source_z, last - source_z);

@@ -58,8 +58,7 @@ inline facet::PacketStream random_packets(Dice& dice, int n, int count, std::int
       sides.push_back({linear(side_scale), dice.roll(0, side_scale)});
     add_packet(stream, number, glm::min(a, b), glm::max(a, b), slab, sides,
                linear(pick(dice, 0, 2) == 0 ? 3 : gap_scale));
-    // Few ways to face, so that opposite ones meet.
-    stream.heads.back().facing = static_cast<std::uint8_t>(pick(dice, 0, 2) * 13);
+    stream.heads.back().surface = static_cast<facet::Surface>(pick(dice, 0, 2));
   }
   return stream;
 }

@@ -49,7 +49,7 @@ TEST(Extents, HoldAllThatIsAwayFromTheLight) {
     for (int i = pick(dice, 0, 8); i > 0; --i) {
       voxels.push_back(pick_voxel(dice, kN));
       const glm::ivec3 at = voxels.back();
-      columns.fill(cell_number(at.x, at.y, kN), at.z, {1, true, 0}, 0);
+      columns.fill(cell_number(at.x, at.y, kN), at.z, {});
     }
     Extents extents(kN);
     extents.settle(columns);
