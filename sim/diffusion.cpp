@@ -87,14 +87,16 @@ void print(const std::vector<Measured>& all) {
 
 std::string to_csv(const std::vector<Measured>& all) {
   std::string csv =
-      "scene,n,source,x,y,z,L,fa,mode,rule,P,kmax,prepare,T,bound,excess,visits,merged,deepest,seconds\n";
+      "scene,n,source,x,y,z,L,fa,mode,rule,P,kmax,prepare,T,bound,excess,visits,merged,deepest,"
+      "seconds\n";
   for (const Measured& row : all) {
     const glm::ivec3 at = row.job.source;
-    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:.6f}\n", row.scene,
-                       row.n, row.source, at.x, at.y, at.z, row.job.target_distance, row.job.fa,
-                       to_string(row.mode), to_string(row.job.rule), hop_stages(row.mode),
-                       row.farthest(), row.light.prepare_cycles, row.light.cycles, row.bound(), row.light.cycles - row.bound(), row.light.visits,
-                       row.light.merged, row.light.max_queue, row.seconds);
+    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:.6f}\n",
+                       row.scene, row.n, row.source, at.x, at.y, at.z, row.job.target_distance,
+                       row.job.fa, to_string(row.mode), to_string(row.job.rule),
+                       hop_stages(row.mode), row.farthest(), row.light.prepare_cycles,
+                       row.light.cycles, row.bound(), row.light.cycles - row.bound(),
+                       row.light.visits, row.light.merged, row.light.max_queue, row.seconds);
   }
   return csv;
 }
