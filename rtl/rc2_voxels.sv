@@ -108,8 +108,8 @@ module rc2_voxels (
   logic [N-1:0] guarded, solid;
   // What the gap rises by in a voxel, rounded (sw/machine/plane.h): a is the lead of the cells; of b,
   // the lead of the rows, the host has put a copy into the rest.
-  assign word_plane.x = NormalW'(($signed(unit_lead[GapPartW-1:0]) + GapPartW'(2)) >>> 2);
-  assign word_plane.z = NormalW'(($signed(unit_rest[rc2_pkg::DistW+:GapPartW]) + GapPartW'(2)) >>> 2);
+  assign word_plane.x = NormalW'((unit_lead[GapPartW-1:0] + GapPartW'(2)) >> 2);
+  assign word_plane.z = NormalW'((unit_rest[rc2_pkg::DistW+:GapPartW] + GapPartW'(2)) >> 2);
   assign {word_plane.surface, word_plane.y} =
       unit_rest[rc2_pkg::DistW+rc2_pkg::GapValueW+:rc2_pkg::SurfaceW+NormalW];
   rc2_fill u_fill (

@@ -50,7 +50,7 @@ function(rc2_add_rtl name n)
       ${RC2_VERILATED_GLUE}
     COMMAND make --silent --no-print-directory -j2 -C ${folder} -f Vrc2_machine.mk ${RC2_VERILATED_MAKE} > ${folder}.log
     DEPENDS ${RC2_RTL_SOURCES} ${RC2_RTL_RULES} ${RC2_VERILATED_GLUE}
-            ${PROJECT_SOURCE_DIR}/sw/machine/host_port.h ${PROJECT_SOURCE_DIR}/sw/machine/host_word.h ${PROJECT_SOURCE_DIR}/sw/machine/readback.h
+            ${PROJECT_SOURCE_DIR}/sw/machine/host_port.h ${PROJECT_SOURCE_DIR}/sw/machine/host_word.h ${PROJECT_SOURCE_DIR}/sw/machine/plane.h ${PROJECT_SOURCE_DIR}/sw/machine/readback.h
             ${PROJECT_SOURCE_DIR}/sim/rtl_machine.h
             ${PROJECT_SOURCE_DIR}/sim/wave_list.h
             ${PROJECT_SOURCE_DIR}/sw/machine/machine.h ${PROJECT_SOURCE_DIR}/sw/machine/queue_history.h ${PROJECT_SOURCE_DIR}/sw/machine/claim.h

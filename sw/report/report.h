@@ -61,10 +61,11 @@ struct Report {
 /// The report as JSON, indented, ends with a line feed. Top level: scene, fit, machine, n,
 /// fraction_bits, rule, light_rule, mode, L, fa, feeders, facets {read, triangulated, loaded,
 /// degenerate, outside}, ignored {primitives, lights, textures}, lights {read, used, outside,
-/// default}, cycles {load, prepare [per source], light [per source], home [per source], hop_stages}, load_words, voxels,
-/// lit [per source], beams {visits, merged, max_queue} and targets {total, absorbed, escaped,
-/// skipped} over all sources, sources [each with its own share], agreement {reference,
-/// voxels_differing, owners_differing, lights_differing, first}, seconds, files, commit, tools.
+/// default}, cycles {load, prepare [per source], light [per source], home [per source],
+/// hop_stages}, load_words, voxels, lit [per source], beams {visits, merged, max_queue} and targets
+/// {total, absorbed, escaped, skipped} over all sources, sources [each with its own share],
+/// agreement {reference, voxels_differing, owners_differing, lights_differing, first}, seconds,
+/// files, commit, tools.
 std::string to_json(const Report& report);
 
 /// The report as aligned lines of text for a reader who has not seen one before.

@@ -222,7 +222,8 @@ TEST(Layers, EachFacetHasItsNumberInEveryLayer) {
     EXPECT_EQ(next, heads.size());
     for (const PacketHead& head : heads) {
       ASSERT_LT(head.facet, facets);
-      if (head.layer == Layer::guard) EXPECT_EQ(head.surface, heads[head.facet].surface);
+      if (head.layer != Layer::guard) continue;
+      EXPECT_EQ(head.surface, heads[head.facet].surface);
     }
     for (std::size_t i = 0; i < facets; ++i) {
       EXPECT_EQ(heads[i].facet, i);
@@ -497,7 +498,7 @@ TEST(Layers, NoOpposedFacetsAreMissed) {
       ++found;
     }
   }
-  EXPECT_GT(found, 300U);
+  EXPECT_GT(found, 150U);
 }
 
 TEST(Layers, APlateIsGuardedAndAThickBoxIsNot) {
