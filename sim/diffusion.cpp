@@ -81,28 +81,28 @@ void print(const std::vector<Measured>& all) {
       "scene", "n", "source", "L", "FA", "mode", "rule", "skip", "prepare", "T", "bound", "excess",
       "visits", "merged", "deepest");
   for (const Measured& row : all) {
-    fmt::print("{:<20}{:>5}  {:<8}{:>5}{:>4}  {:<7} {:<9} {:<5}{:>8}{:>9}{:>7}{:>8}{:>13}{:>12}{:>9}\n",
-               row.scene, row.n, row.source, row.job.target_distance, row.job.fa,
-               to_string(row.mode), to_string(row.job.rule), row.skips ? "on" : "off",
-               row.light.prepare_cycles, row.light.cycles, row.bound(),
-               row.light.cycles - row.bound(), row.light.visits, row.light.merged,
-               row.light.max_queue);
+    fmt::print(
+        "{:<20}{:>5}  {:<8}{:>5}{:>4}  {:<7} {:<9} {:<5}{:>8}{:>9}{:>7}{:>8}{:>13}{:>12}{:>9}\n",
+        row.scene, row.n, row.source, row.job.target_distance, row.job.fa, to_string(row.mode),
+        to_string(row.job.rule), row.skips ? "on" : "off", row.light.prepare_cycles,
+        row.light.cycles, row.bound(), row.light.cycles - row.bound(), row.light.visits,
+        row.light.merged, row.light.max_queue);
   }
 }
 
 std::string to_csv(const std::vector<Measured>& all) {
   std::string csv =
-      "scene,n,source,x,y,z,L,fa,mode,rule,skip,P,kmax,prepare,T,bound,excess,visits,merged,deepest,"
+      "scene,n,source,x,y,z,L,fa,mode,rule,skip,P,kmax,prepare,T,bound,excess,visits,merged,"
+      "deepest,"
       "seconds\n";
   for (const Measured& row : all) {
     const glm::ivec3 at = row.job.source;
-    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:.6f}\n",
-                       row.scene, row.n, row.source, at.x, at.y, at.z, row.job.target_distance,
-                       row.job.fa, to_string(row.mode), to_string(row.job.rule),
-                       row.skips ? "on" : "off", hop_stages(row.mode), row.farthest(),
-                       row.light.prepare_cycles, row.light.cycles, row.bound(),
-                       row.light.cycles - row.bound(), row.light.visits, row.light.merged,
-                       row.light.max_queue, row.seconds);
+    csv += fmt::format(
+        "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:.6f}\n", row.scene, row.n,
+        row.source, at.x, at.y, at.z, row.job.target_distance, row.job.fa, to_string(row.mode),
+        to_string(row.job.rule), row.skips ? "on" : "off", hop_stages(row.mode), row.farthest(),
+        row.light.prepare_cycles, row.light.cycles, row.bound(), row.light.cycles - row.bound(),
+        row.light.visits, row.light.merged, row.light.max_queue, row.seconds);
   }
   return csv;
 }

@@ -45,8 +45,8 @@ void ZLanes::run_lane(bool down) {
   }
 }
 
-// Lights what is occupied in this layer; what meets a stop is absorbed, what has nothing more to meet
-// is skipped.
+// Lights what is occupied in this layer; what meets a stop is absorbed, what has nothing more to
+// meet is skipped.
 void ZLanes::enter(const Box& box, int step, int z, bool down, std::int64_t cycle) {
   for (int y = box.y0; y <= box.y1; ++y) {
     for (int x = box.x0; x <= box.x1; ++x) {

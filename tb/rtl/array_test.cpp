@@ -79,8 +79,8 @@ void light_everywhere(Machines& machines, const LightJob& job, std::int64_t* cyc
   const LightResult rtl = machines.rtl->light(job, kQuiet);
   ASSERT_EQ(machines.rtl->read_light(), machines.golden.read_light());
   ASSERT_EQ(machines.cycle.read_light(), machines.golden.read_light());
-  // What would have escaped may have been skipped, and by the accurate rule what would have ended in
-  // voxels that are not there to be lit.
+  // What would have escaped may have been skipped, and by the accurate rule what would have ended
+  // in voxels that are not there to be lit.
   if (job.rule == LightRule::thesis) {
     ASSERT_EQ(cycle.targets.absorbed, golden.targets.absorbed);
   }
