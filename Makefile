@@ -10,6 +10,7 @@
 ##   bench-load  loading: cycles of real scenes, leaks, rounded coefficients, speed of the host, as
 ##             the docs show them
 ##   oracle    the voxels of 1,500,000 facets against exact arithmetic, as the docs show it
+##   stress    adversarial scenes and files on all models against exact oracles, as the docs show it
 ##   systemc   the SystemC test benches and the example TLM-2.0 platform, waveforms under out/systemc/
 ##   bench-diffusion  light: cycles by scene, n, source and mode, as the docs show them
 ##   bench-light  light: what differs from the continuous scene, by rule, as the docs show it
@@ -82,7 +83,7 @@ cmake_build := cmake --build build -j $(jobs) --target
 test_sizes := 4 5 8 16
 known_sizes := $(test_sizes) 32
 
-.PHONY: help setup build sim thesis chapter2 bench-load bench-diffusion bench-light area oracle systemc test lint sanitize rtl format clean
+.PHONY: help setup build sim thesis chapter2 bench-load bench-diffusion bench-light area oracle stress systemc test lint sanitize rtl format clean
 .NOTPARALLEL:
 
 help:
@@ -126,6 +127,10 @@ area: build
 oracle: build/build.ninja
 	$(cmake_build) oracle_run
 	@build/tb/load/oracle_run --facets 1500000
+
+stress: build/build.ninja
+	$(cmake_build) rc2 stress_run
+	@scripts/stress '$(OUT)/stress' 200
 
 systemc: build/build.ninja
 	$(cmake_build) rc2 rc2_platform systemc_cell systemc_machine rtl_n16

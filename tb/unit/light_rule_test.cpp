@@ -8,7 +8,6 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <map>
-#include <optional>
 #include <tuple>
 
 #include "sw/cycle/cycle_machine.h"
@@ -16,6 +15,7 @@
 #include "sw/facet/layers.h"
 #include "sw/golden/golden_machine.h"
 #include "sw/scene/shapes.h"
+#include "tb/stress/light_oracle.h"
 #include "tb/unit/random_packets.h"
 
 namespace rc2::golden {
@@ -34,94 +34,6 @@ MachineConfig config_of(int n, int fraction_bits = 4) {
   return config;
 }
 
-std::int64_t nearest_ties_down(const Rational& r) {
-  const Rational doubled = 2 * r - 1;  // the least integer not below r - 1/2
-  std::int64_t floor = doubled.numerator() / (2 * doubled.denominator());
-  while (Rational(floor) < r - Rational(1, 2)) ++floor;
-  while (Rational(floor - 1) >= r - Rational(1, 2)) --floor;
-  return floor;
-}
-
-std::vector<glm::ivec3> ray(int n, const glm::ivec3& source, const glm::ivec3& target,
-                            int distance) {
-  std::vector<glm::ivec3> voxels;
-  for (int step = 1;; ++step) {
-    glm::ivec3 at;
-    for (int axis = 0; axis < 3; ++axis)
-      at[axis] = source[axis] +
-                 static_cast<int>(nearest_ties_down(Rational(target[axis] * step, distance)));
-    if (glm::clamp(at, 0, n - 1) != at) return voxels;
-    voxels.push_back(at);
-  }
-}
-
-// The rule as docs/light.md words it, on one whole ray.
-class Definition {
- public:
-  Definition(GoldenMachine& machine, const facet::PacketStream& stream,
-             const std::vector<bool>& blocking)
-      : blocking_(blocking) {
-    for (const VoxelRecord& voxel : machine.read_voxels()) owners_[key(voxel.at)] = voxel.owner;
-    for (const LayerRecord& layer : machine.read_layers()) layers_.emplace(key(layer.at), layer);
-    for (const facet::PacketHead& head : stream.heads)
-      if (head.layer == facet::Layer::armour) facing_[head.facet] = head.facing;
-  }
-
-  // How many voxels of the ray light reaches; is_home: whether the last of them ends it.
-  std::size_t reach(const std::vector<glm::ivec3>& voxels, bool& is_home) const {
-    is_home = true;
-    for (std::size_t i = 0; i < voxels.size(); ++i) {
-      if (!is_armoured(voxels[i])) {
-        if (is_inside(voxels[i])) return i + 1;
-        if (i > 0 && came_through(voxels, i)) return i + 1;
-      } else if (!is_thin(voxels[i])) {
-        if (blocks(voxels[i])) return i + 1;
-        if (i > 0 && was_behind(voxels, i)) return i + 1;
-      }
-    }
-    is_home = false;
-    return voxels.size();
-  }
-
-  bool is_armoured(const glm::ivec3& at) const { return owners_.count(key(at)) > 0; }
-
- private:
-  bool is_inside(const glm::ivec3& at) const {
-    return layers_.count(key(at)) > 0 && layers_.at(key(at)).inside;
-  }
-  bool is_thin(const glm::ivec3& at) const {
-    return layers_.count(key(at)) > 0 && layers_.at(key(at)).thin;
-  }
-  bool blocks(const glm::ivec3& at) const { return blocking_[owners_.at(key(at)).facet]; }
-  bool is_in_front(const glm::ivec3& at) const {
-    return (owners_.at(key(at)).gap >= 0) == !blocks(at);
-  }
-  // The last thin voxel before voxel i of the ray.
-  std::optional<std::size_t> last_thin(const std::vector<glm::ivec3>& voxels, std::size_t i) const {
-    while (i-- > 0)
-      if (is_armoured(voxels[i]) && is_thin(voxels[i])) return i;
-    return {};
-  }
-  bool was_behind(const std::vector<glm::ivec3>& voxels, std::size_t i) const {
-    const auto thin = last_thin(voxels, i);
-    return thin && !is_in_front(voxels[*thin]);
-  }
-  bool came_through(const std::vector<glm::ivec3>& voxels, std::size_t i) const {
-    const auto thin = last_thin(voxels, i);
-    if (!thin) return false;
-    if (!is_in_front(voxels[*thin])) return true;
-    const glm::ivec3 step = voxels[*thin + 1] - voxels[*thin];
-    int code = facing_.at(owners_.at(key(voxels[*thin])).facet);
-    if (blocks(voxels[*thin])) code = 26 - code;
-    return (code / 9 - 1) * step.x + (code / 3 % 3 - 1) * step.y + (code % 3 - 1) * step.z < 0;
-  }
-
-  const std::vector<bool>& blocking_;
-  std::map<Voxel, Claim> owners_;
-  std::map<Voxel, LayerRecord> layers_;
-  std::map<std::uint32_t, int> facing_;
-};
-
 TEST(AccurateLight, IsWhatItsDefinitionSays) {
   Dice dice(1);
   std::int64_t passed = 0;
@@ -133,39 +45,22 @@ TEST(AccurateLight, IsWhatItsDefinitionSays) {
     machine.load(stream, {});
     std::vector<bool> blocking(static_cast<std::size_t>(count));
     std::generate(blocking.begin(), blocking.end(), [&] { return pick(dice, 0, 2) == 0; });
-    const Definition definition(machine, stream, blocking);
+    const stress::LightOracle oracle(n, machine.read_voxels(), machine.read_layers(), stream);
     glm::ivec3 source = pick_voxel(dice, n);
-    for (int tries = 0; tries < 100 && definition.is_armoured(source); ++tries)
+    for (int tries = 0; tries < 100 && oracle.is_armoured(source); ++tries)
       source = pick_voxel(dice, n);
-    if (definition.is_armoured(source)) continue;
+    if (oracle.is_armoured(source)) continue;
 
-    std::map<Voxel, std::uint32_t> expected;
-    std::int64_t absorbed = 0, visits = 0;
-    for (int x = -distance; x <= distance; ++x)
-      for (int y = -distance; y <= distance; ++y)
-        for (int z = -distance; z <= distance; ++z) {
-          if (std::max({std::abs(x), std::abs(y), std::abs(z)}) != distance) continue;
-          const std::vector<glm::ivec3> voxels = ray(n, source, {x, y, z}, distance);
-          bool is_home = false;
-          const std::size_t reach = definition.reach(voxels, is_home);
-          absorbed += is_home;
-          visits += static_cast<std::int64_t>(reach);
-          for (std::size_t i = 0; i < reach; ++i) {
-            ++expected[key(voxels[i])];
-            passed += i + 1 < reach && definition.is_armoured(voxels[i]) ? 1 : 0;
-          }
-        }
-    const LightResult result =
-        machine.light({source, distance, 1, LightRule::accurate, &blocking}, {});
-    EXPECT_EQ(result.targets.absorbed, absorbed);
-    EXPECT_EQ(result.targets.escaped, result.targets.total - absorbed);
+    const LightJob job{source, distance, 1, LightRule::accurate, &blocking};
+    const stress::ExpectedLight expected = oracle.light(job);
+    const LightResult result = machine.light(job, {});
+    EXPECT_EQ(result.targets.absorbed, expected.targets.absorbed);
+    EXPECT_EQ(result.targets.escaped, expected.targets.escaped);
     EXPECT_EQ(result.targets.total, total_targets(distance));
-    EXPECT_EQ(result.visits, visits);
-    const VoxelMemory voxels = machine.read_voxels();
-    const LightMemory arrived = machine.read_light();
-    for (std::size_t i = 0; i < voxels.size(); ++i) {
-      EXPECT_EQ(arrived[i], expected[key(voxels[i].at)]);
-    }
+    EXPECT_EQ(expected.targets.total, total_targets(distance));
+    EXPECT_EQ(result.visits, expected.visits);
+    EXPECT_EQ(machine.read_light(), expected.arrived);
+    passed += expected.passed;
   }
   EXPECT_GT(passed, 5000);
 }
