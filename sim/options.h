@@ -36,6 +36,7 @@ struct RunOptions : SceneOptions {
   int fa = 16;
   std::string mode = "fast";
   std::string out = "out";
+  std::string volume;
   std::string waves;
   std::int64_t waves_from = 0;
   std::int64_t waves_cycles = 10000;
