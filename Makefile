@@ -177,4 +177,4 @@ format: setup
 	find sw sim tb -name '*.h' -o -name '*.cpp' | xargs -r clang-format -i
 
 clean:
-	rm -rf build build-sanitize out report
+	rm -rf build build-sanitize out report .snakemake

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -47,6 +48,17 @@ std::string header() {
   return text + ",wrong_pixels_percent,rmse,flip\n";
 }
 
+// A surface on the border of two voxels may belong to either, and rounding moves it a little.
+bool is_covered(const surface::VoxelSet& occupied, const glm::dvec3& point) {
+  constexpr double kNear = 1.0 / 32;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec3 way = 2.0 * glm::dvec3(corner & 1, corner >> 1 & 1, corner >> 2) - 1.0;
+    const glm::ivec3 voxel(glm::floor(point + kNear * way + 0.5));
+    if (occupied.contains(voxel) && occupied[voxel] != 0) return true;
+  }
+  return false;
+}
+
 std::int64_t peak_kilobytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -58,18 +70,19 @@ std::int64_t peak_kilobytes() {
 VoxelError voxel_error(const LightStage& stage, const std::vector<glm::ivec3>& voxels) {
   VoxelError error;
   error.voxels = static_cast<std::int64_t>(voxels.size());
-  std::ptrdiff_t covered = 0;
   surface::VoxelSet occupied(stage.n);
   for (const glm::ivec3& voxel : voxels) {
     occupied[voxel] = 1;
-    const truth::Samples::Range in_voxel = stage.samples.of(voxel);
-    covered += in_voxel.last - in_voxel.first;
     error.distance += glm::distance(stage.surface.nearest(voxel).at, glm::dvec3(voxel));
   }
   if (!voxels.empty()) error.distance /= static_cast<double>(voxels.size());
+  const truth::Samples::Range points = stage.samples.all();
+  const auto uncovered = std::count_if(points.begin(), points.end(), [&](const truth::Sample& of) {
+    return !is_covered(occupied, of.at);
+  });
   if (stage.samples.count() > 0)
     error.uncovered_percent =
-        100 - 100 * static_cast<double>(covered) / static_cast<double>(stage.samples.count());
+        100 * static_cast<double>(uncovered) / static_cast<double>(stage.samples.count());
   const surface::Mesh mesh = surface::quantise(stage.scene, stage.fraction_bits);
   if (mesh.closed) {
     const surface::Tunnels tunnels =

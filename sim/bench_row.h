@@ -17,7 +17,7 @@ namespace rc2 {
 /// Error of voxels as the continuous surface sees it.
 struct VoxelError {
   std::int64_t voxels = 0;
-  double uncovered_percent = 0;  ///< of points of the surface, those in no voxel
+  double uncovered_percent = 0;  ///< points of the surface more than 1/32 outside all voxels
   double distance = 0;           ///< mean, of the voxel's centre from the surface, in voxels
   std::optional<std::int64_t> tunnels_6, tunnels_26;  ///< through closed meshes
 };

@@ -35,6 +35,8 @@ class Samples {
   };
   Range of(const glm::ivec3& voxel) const;
 
+  Range all() const { return {samples_.data(), samples_.data() + samples_.size()}; }
+
   std::size_t count() const { return samples_.size(); }
 
  private:
