@@ -20,7 +20,7 @@ void main() {
   float shade = 0.72 + 0.28 * dot(normal, vec3(0.36, 0.48, 0.8));
   float lit = away <= wave ? light : 0.;
   vec3 own = mix(vec3(0.75), hue(fract(facet * 0.61803398875)), 0.7);
-  vec3 warm = mix(vec3(0.10, 0.11, 0.17), vec3(1., 0.93, 0.76), lit > 0. ? 0.55 + 0.45 * lit : 0.);
+  vec3 warm = mix(vec3(0.17, 0.19, 0.28), vec3(1., 0.93, 0.76), lit > 0. ? 0.55 + 0.45 * lit : 0.);
   colour = (paint == 0 ? warm : paint == 1 ? own : own * (lit > 0. ? 1. : 0.25)) * shade;
   if (abs(away - wave) < 1. && light > 0.) colour = vec3(1., 0.6, 0.1);
   gl_Position = view * vec4((voxel + corner - 0.5 * (n - 1.)) / (0.5 * n), 1.);
@@ -50,7 +50,7 @@ function cube() {
 // Column by column: a turn about y, then about x, then a perspective.
 function viewMatrix(turn, tilt, distance, aspect) {
   const [cy, sy, cx, sx] = [Math.cos(turn), Math.sin(turn), Math.cos(tilt), Math.sin(tilt)];
-  const f = 2.2, near = 0.1, far = 20, a = (far + near) / (near - far), b = (2 * far * near) / (near - far);
+  const f = 3.6, near = 0.1, far = 30, a = (far + near) / (near - far), b = (2 * far * near) / (near - far);
   const rows = [[cy, 0, sy, 0], [sx * sy, cx, -sx * cy, 0], [-cx * sy, sx, cx * cy, -distance]];
   const out = [];
   for (let k = 0; k < 4; ++k)
@@ -77,7 +77,7 @@ class View {
     gl.enable(gl.DEPTH_TEST);
     gl.enable(gl.CULL_FACE);
     this.attribute(["corner", 3, 24, 0], ["normal", 3, 24, 12], cube(), 0);
-    Object.assign(this, { turn: -0.5, tilt: 0.35, distance: 4, paint: 0, wave: 1e9, lamp: 0 });
+    Object.assign(this, { turn: -0.4, tilt: 0.3, distance: 6.5, paint: 0, wave: 1e9, lamp: 0 });
     this.listen();
   }
 
@@ -151,7 +151,7 @@ class View {
     });
     this.canvas.addEventListener("wheel", (event) => {
       event.preventDefault();
-      this.distance = Math.max(2, Math.min(12, this.distance * Math.exp(event.deltaY / 800)));
+      this.distance = Math.max(2.5, Math.min(20, this.distance * Math.exp(event.deltaY / 800)));
       this.draw();
     }, { passive: false });
   }
@@ -197,5 +197,7 @@ function start(scenes) {
   wave.value = Math.round(wave.max / 2);
   tell();
   document.body.dataset.waving = view.drawn();
+  wave.value = wave.max;
+  tell();
   return view;
 }
