@@ -14,10 +14,10 @@ namespace rc2 {
 constexpr int kStageLights = 6;
 
 struct LightStage {
-  /// make_light_scene(name, n) with all layers, or, by another rule than armoured, with none but
-  /// that all its voxels are shown. Throws Error, also if there is nothing to light.
-  LightStage(const std::string& name, int n, int fraction_bits, facet::Rule rule,
-             const Progress& progress);
+  /// make_light_scene(name, side) with all layers, vertices rounded to 2^-f, or, by another rule
+  /// than armoured, with none but that all its voxels are shown. Throws Error, also if there is
+  /// nothing to light.
+  LightStage(const std::string& name, int side, int f, facet::Rule rule, const Progress& progress);
 
   /// The free voxel nearest to one of kStageLights places: all round a scene, near the walls of a
   /// room. Throws Error if there is none.

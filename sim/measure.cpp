@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "sim/bench_row.h"
@@ -73,7 +74,7 @@ class Measure {
   };
 
   int distance_of(double reach) const {
-    return std::max(1, static_cast<int>(reach * stage_.n + 0.5));
+    return std::max(1, static_cast<int>(std::lround(reach * stage_.n)));
   }
 
   void run_machine(const std::string& name, const std::string& mode) {

@@ -152,6 +152,7 @@ class Peers {
           timed(seconds, [&] { return peers::sweep_layers(make_stops(), at); });
       row.light_seconds = seconds;
       std::vector<bool> lit;
+      lit.reserve(shown.size());
       for (const glm::ivec3& voxel : shown) lit.push_back(reached.at(voxel));
       add(row, lit, verdicts, away);
     };

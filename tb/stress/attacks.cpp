@@ -12,7 +12,8 @@ using facet::FacetClass;
 using facet::generate_facets;
 using facet::Vertex;
 
-constexpr int kFacets = 12;  // of a scene: enough to meet, few enough to leave room for lights
+constexpr std::size_t kFacets =
+    12;  // of a scene: enough to meet, few enough to leave room for lights
 
 Vertex clamped(const Vertex& v, const Cube& cube) {
   return glm::clamp(v, Vertex(cube.low()), Vertex(cube.high()));
