@@ -10,16 +10,20 @@
 ##   bench-load  loading: cycles of real scenes, leaks, rounded coefficients, speed of the host, as
 ##             the docs show them
 ##   oracle    the voxels of 1,500,000 facets against exact arithmetic, as the docs show it
+##   stress    adversarial scenes and files on all models against exact oracles, as the docs show it
 ##   systemc   the SystemC test benches and the example TLM-2.0 platform, waveforms under out/systemc/
 ##   bench-diffusion  light: cycles by scene, n, source and mode, as the docs show them
 ##   bench-light  light: what differs from the continuous scene, by rule, as the docs show it
+##   bench     run time against error, also of what one would take instead of the machine; at most 15
+##             minutes, FULL=1 hours; goes on where it was interrupted
+##   report    report/index.html: pictures, plots, tables, a 3D view and the wave of light on one page
 ##   area      what a cell costs: area, clock, area times time, as the docs show it
 ##   test      every test; the last line is their summary
 ##   lint      verilator -Wall, yosys on every module alone, clang-format, clang-tidy
 ##   sanitize  the software's tests with address and undefined-behaviour sanitizers
 ##   rtl       the Verilated array of side N, build/rtl/librc2_rtl_nN.so
 ##   format    lays out the C++ files as lint wants them
-##   clean     removes build, build-sanitize and out
+##   clean     removes build, build-sanitize, out and report
 ##
 ## Words for sim (N and MODE also for rtl)
 ##   MACHINE=rtl    rtl, cycle (cycle model) or golden (no notion of time)
@@ -34,6 +38,8 @@
 ##   FA=            beams that a cell has room for
 ##   MODE=fast      how light spreads: fast, in lanes; thesis, voxel by voxel (also for rtl)
 ##   OUT=out        folder of the results
+##
+## Words for bench: FULL=1 for the large one, SEED=1 of generated scenes
 ##   A word left empty means the default of build/rc2 run --help. With MACHINE=rtl the same scene
 ##   is also lit by the cycle model with 128 cells per side, for a picture worth looking at.
 ##
@@ -43,7 +49,7 @@
 ##   make sim MACHINE=cycle N=256 SCENE=room LIGHT="100,40,200 20,20,240,1,0.5,0"
 ##   RC2_SKIP_SETUP=1 make build        leaves the system's packages alone
 
-the_words := MACHINE N SCENE LIGHT WAVES RULE F L FA MODE OUT
+the_words := MACHINE N SCENE LIGHT WAVES RULE F L FA MODE OUT FULL SEED
 
 # Plain assignments: the environment cannot change a word, the command line can.
 MACHINE := rtl
@@ -57,6 +63,8 @@ L :=
 FA :=
 MODE :=
 OUT := out
+FULL := 0
+SEED := 1
 
 # A misspelt word must not pass for a default.
 given := $(foreach word,$(MAKEOVERRIDES),$(if $(findstring =,$(word)),$(firstword $(subst =, ,$(word)))))
@@ -82,7 +90,7 @@ cmake_build := cmake --build build -j $(jobs) --target
 test_sizes := 4 5 8 16
 known_sizes := $(test_sizes) 32
 
-.PHONY: help setup build sim thesis chapter2 bench-load bench-diffusion bench-light area oracle systemc test lint sanitize rtl format clean
+.PHONY: help setup build sim thesis chapter2 bench-load bench-diffusion bench-light bench report area oracle stress systemc test lint sanitize rtl format clean
 .NOTPARALLEL:
 
 help:
@@ -127,6 +135,10 @@ oracle: build/build.ninja
 	$(cmake_build) oracle_run
 	@build/tb/load/oracle_run --facets 1500000
 
+stress: build/build.ninja
+	$(cmake_build) rc2 stress_run
+	@scripts/stress '$(OUT)/stress' 200
+
 systemc: build/build.ninja
 	$(cmake_build) rc2 rc2_platform systemc_cell systemc_machine rtl_n16
 	@scripts/systemc '$(OUT)/systemc'
@@ -136,6 +148,16 @@ bench-diffusion: build
 
 bench-light: build
 	@scripts/bench-light '$(OUT)/bench-light'
+
+bench: build/build.ninja
+	@scripts/setup bench
+	$(cmake_build) rc2 rtl_n16
+	@scripts/bench/run '$(OUT)/bench' '$(SEED)' '$(FULL)'
+
+report: build
+	@scripts/setup report
+	@scripts/report/build '$(OUT)/report' '$(OUT)/bench' report/index.html
+	@scripts/report/check report/index.html
 
 test: build/build.ninja
 	$(cmake_build) all $(test_sizes:%=rtl_n%) $(test_sizes:%=rtl_thesis_n%)
@@ -155,4 +177,4 @@ format: setup
 	find sw sim tb -name '*.h' -o -name '*.cpp' | xargs -r clang-format -i
 
 clean:
-	rm -rf build build-sanitize out
+	rm -rf build build-sanitize out report .snakemake

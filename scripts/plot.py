@@ -5,7 +5,7 @@ import math
 
 class Plot:
     LEFT, TOP, WIDTH, HEIGHT = 70, 50, 480, 340
-    COLOURS = ["#1b6ca8", "#c44e1f", "#3a7d34", "#7b4fa0"]
+    COLOURS = ["#1b6ca8", "#c44e1f", "#3a7d34", "#7b4fa0", "#8a6d1d", "#00838f", "#666"]
 
     def __init__(self, title, x_name, x_range, y_range, y_name="T, cycles", x_ticks=None,
                  legend_width=150):
@@ -60,9 +60,11 @@ class Plot:
         self.parts.append(self.line([(self.x(a), self.y(b)) for a, b in sorted(points.items())], stroke, dash))
         self.label(words, lambda x, y: self.line([(x, y), (x + 20, y)], stroke, dash))
 
-    def dots(self, points, words, colour):
+    def dots(self, points, words, colour, filled=False):
+        stroke = self.COLOURS[colour]
+
         def dot(x, y):
-            return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="3" fill="none" stroke="{self.COLOURS[colour]}"/>'
+            return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="3" fill="{stroke if filled else "none"}" stroke="{stroke}"/>'
 
         self.parts += [dot(self.x(a), self.y(b)) for a, b in points.items()]
         self.label(words, lambda x, y: dot(x + 10, y))

@@ -40,6 +40,9 @@ class Shown {
 
   const std::vector<glm::ivec3>& places() const { return at_; }
 
+  /// Of each of the places its number in VoxelMemory.
+  const std::vector<std::size_t>& numbers() const { return numbers_; }
+
   /// `verdicts` in the order of places(); `arrived` as the machine read it; `away`: of each facet,
   /// whether it turns away from the light.
   Errors compare(const std::vector<truth::Verdict>& verdicts, Population population,

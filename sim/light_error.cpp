@@ -3,39 +3,20 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <filesystem>
-#include <glm/common.hpp>
-#include <limits>
 #include <map>
 #include <memory>
 
 #include "sim/commands.h"
-#include "sim/light_compare.h"
-#include "sim/light_scenes.h"
+#include "sim/light_stage.h"
 #include "sim/memory.h"
 #include "sim/outputs.h"
 #include "sim/progress_bar.h"
 #include "sw/base/replace_file.h"
-#include "sw/facet/layers.h"
-#include "sw/facet/turns_away.h"
 #include "sw/golden/golden_machine.h"
-#include "sw/machine/checks.h"
 #include "sw/report/laws.h"
-#include "sw/truth/verdict.h"
 
 namespace rc2 {
 namespace {
-
-constexpr double kDensity = 32;  // samples per unit of area
-
-// Shares of n: all round a scene, near the walls of a room.
-const std::array<glm::dvec3, 6> kLights{{{0.90, 0.95, 0.85},
-                                         {0.06, 0.55, 0.62},
-                                         {0.52, 0.48, 0.96},
-                                         {0.10, 0.07, 0.12},
-                                         {0.94, 0.32, 0.10},
-                                         {0.45, 0.05, 0.56}}};
 
 struct LightErrorOptions {
   std::vector<std::string> scenes;
@@ -55,67 +36,31 @@ struct Row {
   std::array<Errors, kPopulations.size()> errors;
 };
 
-// The voxel nearest to the place that is neither armoured nor inside a solid.
-glm::ivec3 free_voxel(const LayerMemory& layers, int n, const glm::dvec3& share) {
-  std::vector<bool> is_free(static_cast<std::size_t>(n) * n * n, true);
-  const auto place = [n](const glm::ivec3& at) {
-    return (static_cast<std::size_t>(at.z) * n + at.y) * n + at.x;
-  };
-  for (const LayerRecord& layer : layers)
-    if (layer.armour || layer.inside) is_free[place(layer.at)] = false;
-  const glm::ivec3 wanted(glm::floor(share * static_cast<double>(n)));
-  glm::ivec3 best(-1);
-  int best_square = std::numeric_limits<int>::max();
-  for (glm::ivec3 at{0}; at.z < n; ++at.z)
-    for (at.y = 0; at.y < n; ++at.y)
-      for (at.x = 0; at.x < n; ++at.x) {
-        const glm::ivec3 way = at - wanted;
-        const int square = way.x * way.x + way.y * way.y + way.z * way.z;
-        if (square >= best_square || !is_free[place(at)]) continue;
-        best = at;
-        best_square = square;
-      }
-  if (best_square == std::numeric_limits<int>::max())
-    throw Error("every voxel is occupied, so no light can be placed; use a larger --n");
-  return best;
-}
-
 void measure(const std::string& name, int n, const LightErrorOptions& options, ProgressBar& bar,
              std::vector<Row>& rows) {
-  const scene::Scene scene = make_light_scene(name, n);
-  const std::string title = std::filesystem::path(name).filename();
-  const facet::FacetSet facets = facet::build_layers(scene, n, options.fraction_bits);
-  if (facets.facets.empty())
-    throw Error(fmt::format("{}: there is nothing to light; choose a scene with facets", name));
+  const LightStage stage(name, n, options.fraction_bits, facet::Rule::armoured,
+                         bar.step(fmt::format("{}, n = {}: loading", name, n)));
   MachineConfig config;
   config.n = n;
   config.fraction_bits = options.fraction_bits;
   config.max_distance = n * *std::max_element(options.reaches.begin(), options.reaches.end());
   golden::GoldenMachine machine(config);
-  machine.load(facets.packets, bar.step(fmt::format("{}, n = {}: loading", title, n)));
-  const LayerMemory layers = machine.read_layers();
-  const Shown shown(layers, machine.read_voxels(), n);
-
-  const truth::Surface surface(scene);
-  const truth::Samples samples(surface, n, kDensity);
-  for (const glm::dvec3& share : kLights) {
-    const glm::ivec3 light = free_voxel(layers, n, share);
-    const std::vector<truth::Verdict> verdicts =
-        truth::judge(surface, samples, shown.places(), light);
-    std::vector<bool> away;
-    for (const facet::FacetInfo& facet : facets.facets)
-      away.push_back(facet::turns_away(facet, light, options.fraction_bits));
+  machine.load(stage.facets.packets, {});
+  for (int i = 0; i < kStageLights; ++i) {
+    const glm::ivec3 light = stage.light(i);
+    const std::vector<truth::Verdict> verdicts = stage.judge(light);
+    const std::vector<bool> away = stage.away(light);
     for (const int reach : options.reaches) {
       for (const std::string& rule : options.rules) {
         const LightJob job{light, reach * n, 1, parse_light_rule(rule)};
         const auto progress =
-            bar.step(fmt::format("{}, n = {}, L = {}, {}", title, n, reach * n, rule));
+            bar.step(fmt::format("{}, n = {}, L = {}, {}", stage.title, n, reach * n, rule));
         const LightResult result = machine.light(job, progress);
         const LightMemory arrived = machine.read_light();
-        report::check_light(result, arrived, job, machine.read_voxels().size());
-        Row row{title, n, reach, rule, light, result.visits, {}};
-        for (std::size_t i = 0; i < kPopulations.size(); ++i)
-          row.errors[i] = shown.compare(verdicts, kPopulations[i], arrived, away);
+        report::check_light(result, arrived, job, stage.voxels.size());
+        Row row{stage.title, n, reach, rule, light, result.visits, {}};
+        for (std::size_t k = 0; k < kPopulations.size(); ++k)
+          row.errors[k] = stage.shown.compare(verdicts, kPopulations[k], arrived, away);
         rows.push_back(row);
       }
     }

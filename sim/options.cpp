@@ -107,6 +107,10 @@ void declare_run_options(CLI::App& command, RunOptions& options) {
   command.add_option("--out", options.out, "Folder of picture.png, picture.exr and report.json")
       ->type_name("DIR")
       ->capture_default_str();
+  command
+      .add_option("--volume", options.volume,
+                  "Write voxels, owners and light to this OpenVDB file, for Blender or ParaView")
+      ->type_name("FILE.vdb");
   auto* waves = command
                     .add_option("--waves", options.waves,
                                 "Write a waveform to this FST file (--machine rtl only)")

@@ -37,6 +37,7 @@ struct RunOptions : SceneOptions {
   std::string mode = "fast";
   std::string skip = "on";
   std::string out = "out";
+  std::string volume;
   std::string waves;
   std::int64_t waves_from = 0;
   std::int64_t waves_cycles = 10000;

@@ -7,6 +7,7 @@
 #include "sw/picture/png.h"
 #include "sw/picture/raster.h"
 #include "sw/picture/render.h"
+#include "sw/volume/volume.h"
 
 namespace rc2 {
 namespace {
@@ -22,6 +23,10 @@ void write_pictures(const RunOptions& options, const Job& job, const std::vector
   if (!options.dump.empty()) {
     replace_file(options.dump, report::to_csv(memories));
     report.written.emplace_back("dump", options.dump);
+  }
+  if (!options.volume.empty()) {
+    volume::write_vdb(options.volume, memories.voxels, memories.lights);
+    report.written.emplace_back("volume", options.volume);
   }
   std::vector<picture::Lamp> lit;
   for (std::size_t k = 0; k < lamps.size(); ++k) {

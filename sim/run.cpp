@@ -107,6 +107,7 @@ ExitCode run(RunOptions options) {
   Outputs outputs;
   outputs.add_folder(options.out);
   if (!options.dump.empty()) outputs.add_file(options.dump);
+  if (!options.volume.empty()) outputs.add_file(options.volume);
   if (!options.waves.empty()) outputs.add_waves(options.waves);
 
   ProgressBar bar;

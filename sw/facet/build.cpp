@@ -76,28 +76,31 @@ class Builder {
   bool quantise(std::size_t polygon) {
     border_.clear();
     for (std::uint32_t i = scene_.first[polygon]; i < scene_.first[polygon + 1]; ++i) {
-      const glm::dvec3 raised = scene_.vertices[i] * static_cast<double>(grid_.one) + 0.5;
-      if (!is_in_cube(raised)) {
+      const glm::dvec3 exact = scene_.vertices[i] * static_cast<double>(grid_.one);
+      if (!is_in_cube(exact)) {
         refuse_unless_outside(polygon);
         return false;
       }
-      border_.emplace_back(floor_of(raised.x), floor_of(raised.y), floor_of(raised.z));
+      border_.emplace_back(nearest(exact.x), nearest(exact.y), nearest(exact.z));
     }
     return true;
   }
 
-  // Whether the vertex that this is rounded down to is in the cube; not, if it is not finite.
-  bool is_in_cube(const glm::dvec3& raised) const {
+  // Whether the vertex nearest to this is in the cube; not, if it is not finite.
+  bool is_in_cube(const glm::dvec3& exact) const {
     const std::int64_t least = -(grid_.one / 2), most = grid_.n * grid_.one - (grid_.one + 1) / 2;
-    const auto lowest = static_cast<double>(least), end = static_cast<double>(most + 1);
-    return raised.x >= lowest && raised.y >= lowest && raised.z >= lowest && raised.x < end &&
-           raised.y < end && raised.z < end;
+    const double lowest = static_cast<double>(least) - 0.5, end = static_cast<double>(most) + 0.5;
+    return exact.x >= lowest && exact.y >= lowest && exact.z >= lowest && exact.x < end &&
+           exact.y < end && exact.z < end;
   }
 
-  // std::floor is a call unless the compiler may use instructions that not every x86 has.
-  static std::int64_t floor_of(double value) {
+  // Ties up. The difference is exact; the sum of a value and 1/2 would not be, and rounds the
+  // number below 1/2 to 1. std::floor is a call unless the compiler may use instructions that not
+  // every x86 has.
+  static std::int64_t nearest(double value) {
     const auto whole = static_cast<std::int64_t>(value);
-    return whole - (static_cast<double>(whole) > value ? 1 : 0);
+    const double rest = value - static_cast<double>(whole);
+    return whole + (rest >= 0.5 ? 1 : 0) - (rest < -0.5 ? 1 : 0);
   }
 
   // Of a polygon that has a vertex outside the cube.
@@ -113,7 +116,7 @@ class Builder {
                         scene_.name, polygon));
     if (!reaches_cube(corners, grid_.n)) return;
     const auto stray = std::find_if(corners.begin(), corners.end(), [&](const glm::dvec3& p) {
-      return !is_in_cube(p * static_cast<double>(grid_.one) + 0.5);
+      return !is_in_cube(p * static_cast<double>(grid_.one));
     });
     throw Error(
         fmt::format("{}: polygon {} crosses the border of the cube, its vertex ({}, {}, "

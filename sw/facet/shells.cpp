@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <utility>
 
+#include "sw/facet/copies.h"
+
 namespace rc2::facet {
 namespace {
 
@@ -145,6 +147,7 @@ Shells find_shells(const Traced& traced) {
     std::vector<std::pair<Vertex, Vertex>>& rim = shells.open[place[shell]].rim;
     rim.insert(rim.end(), static_cast<std::size_t>(std::abs(balance)), use);
   });
+  for (Pieces& shell : shells.closed) drop_copies(traced, shell);
   return shells;
 }
 

@@ -27,7 +27,7 @@ struct Shells {
 /// Joins polygons that share a side, its ends being rounded vertices. A shell is closed if every
 /// side is used as often in one direction as in the other. What closes without the sides that more
 /// than two polygons share is a shell of its own: bodies that touch along an edge stay apart, and
-/// may overlap elsewhere.
+/// may overlap elsewhere. Of a closed shell that is there several times one is left.
 Shells find_shells(const Traced& traced);
 
 }  // namespace rc2::facet

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <glm/ext/vector_int3_sized.hpp>
 #include <limits>
+#include <type_traits>
 
 #include "sw/lines/segment.h"
 
@@ -17,6 +18,7 @@ namespace rc2::lines {
 /// two voxels belongs to the lower one, as if the segment were moved by -(e, e^2, e^3) for a tiny
 /// e: axes that decrease step first, in the order x, y, z, then those that increase, z, y, x. The
 /// printed order (z before y before x) depends on the end one starts from.
+/// A visit that returns a bool ends the walk with false.
 /// As printed, an axis without a step gets Tmax = 1 and the loop never ends; here it is never next.
 template <class Visit>
 void amanatides_woo(glm::ivec3 from, glm::ivec3 to, Visit&& visit) {
@@ -33,13 +35,21 @@ void amanatides_woo(glm::ivec3 from, glm::ivec3 to, Visit&& visit) {
       next[axis] = half[axis] + (way[axis] < 0 ? axis : 5 - axis);
     }
   }
-  visit(from);
+  const auto goes_on = [&] {
+    if constexpr (std::is_void_v<decltype(visit(from))>) {
+      visit(from);
+      return true;
+    } else {
+      return visit(from);
+    }
+  };
+  if (!goes_on()) return;
   const glm::ivec3 crossings = glm::abs(way);
   for (int step = crossings.x + crossings.y + crossings.z; step > 0; --step) {
     const int axis = next.x < next.y ? (next.x < next.z ? 0 : 2) : (next.y < next.z ? 1 : 2);
     next[axis] += 2 * half[axis];
     from[axis] += sign[axis];
-    visit(from);
+    if (!goes_on()) return;
   }
 }
 

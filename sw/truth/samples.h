@@ -17,8 +17,6 @@ struct Sample {
   bool seen;            ///< by the viewer, who looks along z from z = +infinity
 };
 
-constexpr double kLift = 0.002;
-
 /// The sample of a point of a triangle.
 Sample make_sample(const Surface& surface, const glm::dvec3& point, std::uint32_t triangle);
 
@@ -36,6 +34,8 @@ class Samples {
     const Sample* end() const { return last; }
   };
   Range of(const glm::ivec3& voxel) const;
+
+  Range all() const { return {samples_.data(), samples_.data() + samples_.size()}; }
 
   std::size_t count() const { return samples_.size(); }
 

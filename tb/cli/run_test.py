@@ -249,5 +249,13 @@ class Run(HostTest):
         self.assertRegex(self.succeed("--version"), r"\A\d+\.\d+\.\d+\n\Z")
 
 
+class Volume(HostTest):
+    def test_an_openvdb_file_beside_the_pictures(self):
+        self.succeed("run", "ball:3", "--n", 8, "--volume", "ball.vdb")
+        self.assertEqual((self.folder / "ball.vdb").read_bytes()[:4], b" BDV")
+        self.assertEqual(self.report()["files"]["volume"], "ball.vdb")
+        self.refuse("run", "ball:3", "--n", 8, "--volume", "nowhere/ball.vdb", "--out", "other", says="nowhere/ball.vdb")
+
+
 if __name__ == "__main__":
     unittest.main()

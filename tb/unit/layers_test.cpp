@@ -326,6 +326,16 @@ TEST(Layers, SolidsThatShareAFaceAreSolid) {
   EXPECT_EQ(difference(inside(scene, 16, 2), enclosed(scene, 16, 2)), 0);
 }
 
+TEST(Layers, ASolidThatIsThereTwiceIsSolid) {
+  for (const int copies : {2, 3, 4}) {
+    Scene scene = empty_scene();
+    for (int i = 0; i < copies; ++i) add_box(scene, {1, 1, 1}, {8, 8, 8});
+    const FacetSet set = build_layers(scene, 16, 2);
+    EXPECT_EQ(set.counts.objects_closed, 1);
+    EXPECT_EQ(difference(Machine(set.packets, 16).inside, enclosed(scene, 16, 2)), 0) << copies;
+  }
+}
+
 // Boxes one in the other, all ways to turn those in the first one inside out.
 TEST(Layers, NestedShellsEncloseWhatTheMeshGoesRound) {
   const int n = 24, levels = 5;

@@ -16,6 +16,7 @@
 #include "sw/facet/turns_away.h"
 #include "sw/golden/golden_machine.h"
 #include "sw/scene/shapes.h"
+#include "tb/stress/light_oracle.h"
 #include "tb/unit/random_packets.h"
 
 namespace rc2::golden {
@@ -34,134 +35,6 @@ MachineConfig config_of(int n, int fraction_bits = 4) {
   return config;
 }
 
-std::int64_t nearest_ties_down(const Rational& r) {
-  const Rational doubled = 2 * r - 1;  // the least integer not below r - 1/2
-  std::int64_t floor = doubled.numerator() / (2 * doubled.denominator());
-  while (Rational(floor) < r - Rational(1, 2)) ++floor;
-  while (Rational(floor - 1) >= r - Rational(1, 2)) --floor;
-  return floor;
-}
-
-std::vector<glm::ivec3> ray(int n, const glm::ivec3& source, const glm::ivec3& target,
-                            int distance) {
-  std::vector<glm::ivec3> voxels;
-  for (int step = 1;; ++step) {
-    glm::ivec3 at;
-    for (int axis = 0; axis < 3; ++axis)
-      at[axis] = source[axis] +
-                 static_cast<int>(nearest_ties_down(Rational(target[axis] * step, distance)));
-    if (glm::clamp(at, 0, n - 1) != at) return voxels;
-    voxels.push_back(at);
-  }
-}
-
-Rational size(const Rational& r) { return r < 0 ? -r : r; }
-
-// The rule as docs/light.md words it, in fractions of a voxel.
-class Definition {
- public:
-  Definition(GoldenMachine& machine, const facet::PacketStream& stream, const glm::ivec3& light,
-             int n)
-      : light_(light), n_(n) {
-    for (const VoxelRecord& voxel : machine.read_voxels()) owners_[key(voxel.at)] = voxel.owner;
-    for (const LayerRecord& layer : machine.read_layers()) inside_[key(layer.at)] = layer.inside;
-    for (const facet::PacketHead& head : stream.heads) {
-      heads_[head.facet] = head;
-      if (head.layer == facet::Layer::guard) claim(stream, head);
-    }
-  }
-
-  bool is_armoured(const glm::ivec3& at) const { return owners_.count(key(at)) > 0; }
-
-  bool stops(const glm::ivec3& at) const {
-    const auto owner = owners_.find(key(at));
-    if (owner != owners_.end()) {
-      const View view = look(at, owner->second);
-      if (view.surface == facet::Surface::crowd) return true;
-      if (view.surface == facet::Surface::solid) return view.turned_away;
-      return view.depth >= Rational(1, 2);
-    }
-    const auto inside = inside_.find(key(at));
-    if (inside != inside_.end() && inside->second) return true;
-    const auto guard = guards_.find(key(at));
-    if (guard == guards_.end()) return false;
-    const View view = look(at, guard->second);
-    const Rational first = view.surface == facet::Surface::sheet ? Rational(1, 2) : Rational(0);
-    return view.depth >= first && view.depth <= first + view.step + Rational(1, 16);
-  }
-
-  // How many voxels of the ray light reaches; is_home: whether the last of them ends it.
-  std::size_t reach(const std::vector<glm::ivec3>& voxels, bool& is_home) const {
-    const auto stop =
-        std::find_if(voxels.begin(), voxels.end(), [&](const glm::ivec3& at) { return stops(at); });
-    is_home = stop != voxels.end();
-    return static_cast<std::size_t>(stop - voxels.begin()) + (is_home ? 1 : 0);
-  }
-
- private:
-  // Depth behind the plane as the light sees it, negative before it, in whole sixteenths rounded
-  // towards the plane; how much deeper a step leads, likewise.
-  struct View {
-    facet::Surface surface;
-    bool turned_away;
-    Rational depth, step;
-  };
-
-  Rational part(std::int64_t rise) const {
-    const std::int64_t unit = std::int64_t{1} << normal_fraction_bits(n_);
-    return Rational(nearest_ties_down(Rational(rise * 4, 16) + Rational(1, 1000)), unit);
-  }
-
-  View look(const glm::ivec3& at, const Claim& owner) const {
-    const facet::PacketHead& head = heads_.at(owner.facet);
-    const std::array normal{part(head.gap.a), part(head.gap.b), part(head.gap.c)};
-    // The gap is known to a sixteenth: it is taken in its middle, and an eighth for doubt.
-    Rational height = Rational(2 * owner.gap + 1, 32) + Rational(1, 8);
-    for (int axis = 0; axis < 3; ++axis)
-      height += normal[static_cast<std::size_t>(axis)] * Rational(light_[axis] - at[axis]);
-    View view{head.surface, height < 0, {}, {}};
-    const int depth = owner.gap < 0 ? -1 - owner.gap : owner.gap;
-    view.depth = (owner.gap < 0) == view.turned_away ? Rational(-1) : Rational(depth, 16);
-    for (int axis = 0; axis < 3; ++axis) {
-      const Rational& rise = normal[static_cast<std::size_t>(axis)];
-      const Rational deeper = rise * Rational(at[axis] - light_[axis]);
-      if (view.turned_away ? deeper > 0 : deeper < 0) view.step += size(rise);
-    }
-    view.step = Rational((16 * view.step).numerator() / (16 * view.step).denominator(), 16);
-    return view;
-  }
-
-  void claim(const facet::PacketStream& stream, const facet::PacketHead& head) {
-    for (glm::ivec3 at = head.lo; at.z <= head.hi.z; ++at.z) {
-      for (at.y = head.lo.y; at.y <= head.hi.y; ++at.y) {
-        for (at.x = head.lo.x; at.x <= head.hi.x; ++at.x) {
-          const glm::ivec3 p = at - head.lo;
-          const auto value = [&](const facet::Linear& of) {
-            return of.a * p.x + of.b * p.y + of.c * p.z + of.d;
-          };
-          bool fills = value(head.slab.value) >= 0 && value(head.slab.value) <= head.slab.width;
-          bool core = true;
-          for (std::uint32_t i = 0; i < head.side_count; ++i) {
-            const facet::Side& side = stream.sides[head.first_side + i];
-            fills = fills && value(side.value) >= 0;
-            core = core && value(side.value) >= side.push;
-          }
-          if (!fills) continue;
-          const Claim claim{head.facet, core, gap_of(n_, value(head.gap))};
-          const auto [best, first] = guards_.try_emplace(key(at), claim);
-          if (!first && claim.packed() < best->second.packed()) best->second = claim;
-        }
-      }
-    }
-  }
-
-  glm::ivec3 light_;
-  int n_;
-  std::map<Voxel, Claim> owners_, guards_;
-  std::map<Voxel, bool> inside_;
-  std::map<std::uint32_t, facet::PacketHead> heads_;
-};
-
 TEST(AccurateLight, IsWhatItsDefinitionSays) {
   Dice dice(1);
   std::int64_t passed = 0, guarded = 0;
@@ -171,37 +44,20 @@ TEST(AccurateLight, IsWhatItsDefinitionSays) {
     const facet::PacketStream stream = random_layers(dice, n, count, 3);
     GoldenMachine machine(config_of(n));
     machine.load(stream, {});
+    const stress::LightOracle oracle(n, machine.read_voxels(), machine.read_layers(), stream);
     const glm::ivec3 source = pick_voxel(dice, n);
-    const Definition definition(machine, stream, source, n);
-    if (definition.is_armoured(source)) continue;
-
-    std::map<Voxel, std::uint32_t> expected;
-    std::int64_t absorbed = 0, visits = 0;
-    for (int x = -distance; x <= distance; ++x)
-      for (int y = -distance; y <= distance; ++y)
-        for (int z = -distance; z <= distance; ++z) {
-          if (std::max({std::abs(x), std::abs(y), std::abs(z)}) != distance) continue;
-          const std::vector<glm::ivec3> voxels = ray(n, source, {x, y, z}, distance);
-          bool is_home = false;
-          const std::size_t reach = definition.reach(voxels, is_home);
-          absorbed += is_home;
-          visits += static_cast<std::int64_t>(reach);
-          for (std::size_t i = 0; i < reach; ++i) {
-            ++expected[key(voxels[i])];
-            guarded += !definition.is_armoured(voxels[i]) && definition.stops(voxels[i]) ? 1 : 0;
-            passed += i + 1 < reach && definition.is_armoured(voxels[i]) ? 1 : 0;
-          }
-        }
-    const LightResult result = machine.light({source, distance, 1, LightRule::accurate}, {});
-    EXPECT_EQ(result.targets.absorbed, absorbed);
-    EXPECT_EQ(result.targets.escaped, result.targets.total - absorbed);
+    if (oracle.is_armoured(source)) continue;
+    const LightJob job{source, distance, 1, LightRule::accurate};
+    const stress::ExpectedLight expected = oracle.light(job);
+    const LightResult result = machine.light(job, {});
+    EXPECT_EQ(result.targets.absorbed, expected.targets.absorbed);
+    EXPECT_EQ(result.targets.escaped, expected.targets.escaped);
     EXPECT_EQ(result.targets.total, total_targets(distance));
-    EXPECT_EQ(result.visits, visits);
-    const VoxelMemory voxels = machine.read_voxels();
-    const LightMemory arrived = machine.read_light();
-    for (std::size_t i = 0; i < voxels.size(); ++i) {
-      EXPECT_EQ(arrived[i], expected[key(voxels[i].at)]);
-    }
+    EXPECT_EQ(expected.targets.total, total_targets(distance));
+    EXPECT_EQ(result.visits, expected.visits);
+    EXPECT_EQ(machine.read_light(), expected.arrived);
+    passed += expected.passed;
+    guarded += expected.guarded;
   }
   EXPECT_GT(passed, 5000);
   EXPECT_GT(guarded, 1000);

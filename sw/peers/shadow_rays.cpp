@@ -1,0 +1,103 @@
+#include "sw/peers/shadow_rays.h"
+
+#include <embree3/rtcore.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "sw/base/error.h"
+
+namespace rc2::peers {
+
+struct ShadowRays::Scene {
+  RTCDevice device;
+  RTCScene scene;
+
+  explicit Scene(const truth::Triangles& triangles) : device(rtcNewDevice("threads=1")) {
+    if (device == nullptr)
+      throw Error(fmt::format("Embree does not start (error {}); install libembree3-3 anew",
+                              static_cast<int>(rtcGetDeviceError(nullptr))));
+    scene = rtcNewScene(device);
+    RTCGeometry mesh = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    auto* vertices = static_cast<glm::vec3*>(
+        rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                sizeof(glm::vec3), triangles.vertices.size()));
+    std::copy(triangles.vertices.begin(), triangles.vertices.end(), vertices);
+    auto* corners = static_cast<glm::uvec3*>(
+        rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                sizeof(glm::uvec3), triangles.corners.size()));
+    std::copy(triangles.corners.begin(), triangles.corners.end(), corners);
+    rtcCommitGeometry(mesh);
+    rtcAttachGeometry(scene, mesh);
+    rtcReleaseGeometry(mesh);
+    rtcCommitScene(scene);
+  }
+  ~Scene() {
+    rtcReleaseScene(scene);
+    rtcReleaseDevice(device);
+  }
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+};
+
+ShadowRays::ShadowRays(const truth::Triangles& triangles)
+    : scene_(std::make_unique<Scene>(triangles)) {}
+
+ShadowRays::~ShadowRays() = default;
+
+std::vector<bool> ShadowRays::one_by_one(const std::vector<glm::vec3>& places,
+                                         const glm::vec3& light) const {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+  std::vector<bool> lit;
+  lit.reserve(places.size());
+  for (const glm::vec3& place : places) {
+    const glm::vec3 way = light - place;
+    RTCRay ray{};
+    ray.org_x = place.x;
+    ray.org_y = place.y;
+    ray.org_z = place.z;
+    ray.dir_x = way.x;
+    ray.dir_y = way.y;
+    ray.dir_z = way.z;
+    ray.tfar = 1;
+    ray.mask = ~0U;
+    rtcOccluded1(scene_->scene, &context, &ray);
+    lit.push_back(ray.tfar >= 0);
+  }
+  return lit;
+}
+
+std::vector<bool> ShadowRays::by_eight(const std::vector<glm::vec3>& places,
+                                       const glm::vec3& light) const {
+  constexpr std::size_t kWidth = 8;
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  std::vector<bool> lit;
+  lit.reserve(places.size());
+  for (std::size_t first = 0; first < places.size(); first += kWidth) {
+    const std::size_t count = std::min(kWidth, places.size() - first);
+    alignas(32) std::array<int, kWidth> valid{};
+    RTCRay8 rays{};
+    for (std::size_t i = 0; i < count; ++i) {
+      const glm::vec3 &place = places[first + i], way = light - place;
+      valid[i] = -1;
+      rays.org_x[i] = place.x;
+      rays.org_y[i] = place.y;
+      rays.org_z[i] = place.z;
+      rays.dir_x[i] = way.x;
+      rays.dir_y[i] = way.y;
+      rays.dir_z[i] = way.z;
+      rays.tfar[i] = 1;
+      rays.mask[i] = ~0U;
+    }
+    rtcOccluded8(valid.data(), scene_->scene, &context, &rays);
+    for (std::size_t i = 0; i < count; ++i) lit.push_back(rays.tfar[i] >= 0);
+  }
+  return lit;
+}
+
+}  // namespace rc2::peers

@@ -1,0 +1,291 @@
+#include "tb/stress/trial.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <glm/common.hpp>
+#include <memory>
+
+#include "sw/cycle/cycle_machine.h"
+#include "sw/facet/layers.h"
+#include "sw/golden/golden_machine.h"
+#include "sw/machine/checks.h"
+#include "sw/report/laws.h"
+#include "tb/load/machine_check.h"
+#include "tb/stress/light_oracle.h"
+
+namespace rc2::stress {
+namespace {
+
+using facet::Difference;
+using facet::Rule;
+using facet::Vertex;
+
+constexpr std::array kRules{Rule::armoured, Rule::naive, Rule::supercover, Rule::half,
+                            Rule::blindee};
+// Golden follows every ray; of more it would take all the time.
+constexpr std::int64_t kMostGoldenTargets = 1'000'000;
+// In larger cubes the largest L would: rays come to every voxel in thousands of ways.
+constexpr int kLargestSideOfAllL = 17;
+
+struct Named {
+  std::string name;
+  std::unique_ptr<Machine> machine;
+};
+
+std::vector<Named> make_machines(const Cube& cube, Dice& dice) {
+  MachineConfig config{cube.n, cube.fraction_bits, kMaxDistance, 16,
+                       facet::random_feeders(cube.n, dice)};
+  std::vector<Named> machines;
+  machines.push_back({"golden", std::make_unique<golden::GoldenMachine>(config)});
+  machines.push_back({"cycle, fast", std::make_unique<cycle::CycleMachine>(config)});
+  config.mode = LightMode::thesis;
+  machines.push_back({"cycle, thesis", std::make_unique<cycle::CycleMachine>(config)});
+  return machines;
+}
+
+class Trial {
+ public:
+  Trial(const Attack& attack, const Cube& cube, std::uint64_t seed, Findings& findings)
+      : is_closed_(attack.is_closed),
+        cube_(cube),
+        dice_(seed),
+        findings_(findings),
+        attack_(findings.at("attack", attack.name)) {
+    bodies_ = attack.draw(cube, dice_);
+    for (const Body& body : bodies_) borders_.insert(borders_.end(), body.begin(), body.end());
+  }
+
+  void run() {
+    ++attack_.trials;
+    const std::vector<Named> machines = make_machines(cube_, dice_);
+    check_voxels(machines);
+    facets_ = facet::build_layers(facet::scene_of(borders_, cube_), cube_.n, cube_.fraction_bits);
+    for (const Named& named : machines) check_layers(*named.machine);
+    const LightOracle oracle(cube_.n, voxels_, layers_, facets_.packets);
+    if (is_closed_) check_inside(oracle);
+    for (const auto& [place, source] : choose_sources(oracle)) {
+      for (int i = 0; i < 3; ++i) check_light(machines, oracle, place, source, draw_distance());
+    }
+  }
+
+ private:
+  void check_voxels(const std::vector<Named>& machines) {
+    const auto count = [](std::size_t size) { return static_cast<std::int64_t>(size); };
+    std::vector<Border> with_area;
+    std::copy_if(borders_.begin(), borders_.end(), std::back_inserter(with_area), facet::has_area);
+    const Rule rule = kRules[static_cast<std::size_t>(dice_.roll(0, kRules.size() - 1))];
+    const facet::FacetCounts counts =
+        build_facets(facet::scene_of(borders_, cube_), cube_.n, cube_.fraction_bits, rule).counts;
+    if (counts.read != count(borders_.size()) ||
+        counts.degenerate != counts.read - count(with_area.size()) || counts.triangulated != 0 ||
+        counts.loaded + counts.degenerate + counts.outside != counts.read)
+      throw Difference("the host lost a facet, or is wrong about its area");
+    attack_.facets += counts.read;
+    attack_.without_area += counts.degenerate;
+    check_machines({machines[0].machine.get(), machines[1].machine.get()}, with_area, cube_, rule);
+    const std::int64_t voxels = 2LL * cube_.n * cube_.n * cube_.n;
+    attack_.voxels += voxels;
+    Tally& of_rule = findings_.at("voxels by rule", to_string(rule));
+    ++of_rule.trials;
+    of_rule.facets += counts.read;
+    of_rule.voxels += voxels;
+  }
+
+  void check_layers(Machine& machine) {
+    machine.load(facets_.packets, {});
+    const VoxelMemory voxels = machine.read_voxels();
+    const LayerMemory layers = machine.read_layers();
+    report::check_voxels(voxels, cube_.n, facets_.facets.size());
+    if (voxels_.empty()) {
+      voxels_ = voxels;
+      layers_ = layers;
+    }
+    if (!(voxels == voxels_)) throw Difference("two machines differ in a voxel of the armour");
+    if (!(layers == layers_)) throw Difference("two machines differ in a layer");
+    attack_.voxels += std::int64_t{cube_.n} * cube_.n * cube_.n;
+  }
+
+  // On the border a centre p stands for p + (e, e^2, e^3), e -> 0+.
+  bool is_in_body(const std::vector<Border>& body, const Vertex& centre) const {
+    return std::all_of(body.begin(), body.end(), [&](const Border& border) {
+      const Vertex outwards = facet::doubled_area(border);
+      const std::int64_t height = facet::dot(outwards, centre - border[0]);
+      return height < 0 || (height == 0 && !facet::keeps_ties(outwards));
+    });
+  }
+
+  // Of two bodies that are not the same.
+  bool share_a_facet() const {
+    for (const Body& a : bodies_)
+      for (const Body& b : bodies_) {
+        const auto is_of_a = [&](const Border& border) {
+          return std::find(a.begin(), a.end(), border) != a.end();
+        };
+        if (std::any_of(b.begin(), b.end(), is_of_a) && !std::all_of(b.begin(), b.end(), is_of_a))
+          return true;
+      }
+    return false;
+  }
+
+  void check_inside(const LightOracle& oracle) {
+    std::string wrong;
+    glm::ivec3 at;
+    for (at.z = 0; at.z < cube_.n; ++at.z)
+      for (at.y = 0; at.y < cube_.n; ++at.y)
+        for (at.x = 0; at.x < cube_.n; ++at.x) {
+          const Vertex centre = Vertex(at) * cube_.one();
+          const bool is_inside = std::any_of(bodies_.begin(), bodies_.end(), [&](const Body& body) {
+            return is_in_body(body, centre);
+          });
+          if (is_inside != oracle.is_inside(at))
+            wrong = fmt::format("voxel ({}, {}, {}) is {}inside a body", at.x, at.y, at.z,
+                                is_inside ? "" : "not ");
+        }
+    // The host takes bodies that share a facet for one, and what is in both for its outside
+    // (docs/stress.md).
+    const bool is_limit = share_a_facet();
+    Tally& tally = findings_.at("inside of bodies",
+                                is_limit ? "some share a facet" : "apart, crossing, in each other");
+    ++tally.trials;
+    tally.voxels += std::int64_t{cube_.n} * cube_.n * cube_.n;
+    tally.differences += wrong.empty() ? 0 : 1;
+    if (!wrong.empty() && !is_limit) throw Difference(wrong);
+  }
+
+  glm::ivec3 random_voxel() {
+    const auto x = static_cast<int>(dice_.roll(0, cube_.n - 1));
+    const auto y = static_cast<int>(dice_.roll(0, cube_.n - 1));
+    return {x, y, static_cast<int>(dice_.roll(0, cube_.n - 1))};
+  }
+
+  // A random voxel with `ends` of its coordinates at an end.
+  glm::ivec3 voxel_at_border(int ends) {
+    glm::ivec3 at = random_voxel();
+    const auto first = static_cast<int>(dice_.roll(0, 2));
+    for (int i = 0; i < ends; ++i) at[(first + i) % 3] = dice_.one_in(2) ? 0 : cube_.n - 1;
+    return at;
+  }
+
+  bool is_beside_armour(const LightOracle& oracle, const glm::ivec3& at) const {
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const int step : {-1, 1}) {
+        glm::ivec3 other = at;
+        other[axis] += step;
+        if (glm::clamp(other, 0, cube_.n - 1) == other && oracle.is_armoured(other)) return true;
+      }
+    }
+    return false;
+  }
+
+  std::vector<std::pair<const char*, glm::ivec3>> choose_sources(const LightOracle& oracle) {
+    std::vector<std::pair<const char*, glm::ivec3>> sources;
+    const auto choose = [&](const char* place, const auto& draw, const auto& suits) {
+      for (int tries = 0; tries < 200; ++tries) {
+        const glm::ivec3 at = draw();
+        if (oracle.is_armoured(at) || !suits(at)) continue;
+        sources.emplace_back(place, at);
+        return;
+      }
+    };
+    const auto any = [](const glm::ivec3&) { return true; };
+    choose(
+        "a corner of the cube", [&] { return voxel_at_border(3); }, any);
+    choose(
+        "an edge of the cube", [&] { return voxel_at_border(2); }, any);
+    choose(
+        "a face of the cube", [&] { return voxel_at_border(1); }, any);
+    choose(
+        "beside a facet", [&] { return random_voxel(); },
+        [&](const glm::ivec3& at) { return is_beside_armour(oracle, at); });
+    choose(
+        "inside a solid", [&] { return random_voxel(); },
+        [&](const glm::ivec3& at) { return oracle.is_inside(at); });
+    choose(
+        "anywhere", [&] { return random_voxel(); }, any);
+    return sources;
+  }
+
+  std::pair<std::string, int> draw_distance() {
+    const int n = cube_.n;
+    const std::array<std::pair<const char*, int>, 11> all{{{"1", 1},
+                                                           {"2", 2},
+                                                           {"3", 3},
+                                                           {"n - 1", n - 1},
+                                                           {"n", n},
+                                                           {"n + 1", n + 1},
+                                                           {"2n", 2 * n},
+                                                           {"4n - 1", 4 * n - 1},
+                                                           {"8n - 1", 8 * n - 1},
+                                                           {"8n", 8 * n},
+                                                           {"32767", kMaxDistance}}};
+    const std::int64_t last = n <= kLargestSideOfAllL ? all.size() - 1 : all.size() - 4;
+    return all[static_cast<std::size_t>(dice_.roll(0, last))];
+  }
+
+  void check_light(const std::vector<Named>& machines, const LightOracle& oracle, const char* place,
+                   const glm::ivec3& source, const std::pair<std::string, int>& distance) {
+    const auto fa = static_cast<int>(dice_.roll_size(16));
+    for (const LightRule rule : {LightRule::thesis, LightRule::accurate}) {
+      const LightJob job{source, distance.second, fa, rule};
+      const ExpectedLight expected = oracle.light(job);
+      if (expected.targets.total != total_targets(job.target_distance))
+        throw Difference("the oracle lost a target");
+      for (const Named& named : machines) {
+        Machine& machine = *named.machine;
+        const bool is_golden = &named == machines.data();
+        if (rule == LightRule::accurate && !machine.config().accurate_light) continue;
+        if (is_golden && expected.targets.total > kMostGoldenTargets) continue;
+        const bool is_refused = !lights_as_expected(machine, job, expected, is_golden);
+        const std::string machine_and_rule = fmt::format("{}, {}", named.name, to_string(rule));
+        for (Tally* tally :
+             {&attack_, &findings_.at("light from", place), &findings_.at("L", distance.first),
+              &findings_.at("machine and rule of light", machine_and_rule)}) {
+          tally->refused += is_refused ? 1 : 0;
+          tally->lights += is_refused ? 0 : 1;
+          tally->targets += is_refused ? 0 : expected.targets.total;
+        }
+      }
+    }
+  }
+
+  // False if the machine says that it cannot do the light.
+  static bool lights_as_expected(Machine& machine, const LightJob& job,
+                                 const ExpectedLight& expected, bool is_golden) {
+    LightResult result;
+    try {
+      result = machine.light(job, {});
+    } catch (const Error&) {
+      return false;
+    }
+    const LightMemory arrived = machine.read_light();
+    report::check_light(result, arrived, job, expected.arrived.size());
+    if (arrived != expected.arrived)
+      throw Difference("another number of targets arrived at some voxel");
+    if (result.targets.absorbed != expected.targets.absorbed)
+      throw Difference("another number of targets was absorbed");
+    if (is_golden && result.visits != expected.visits)
+      throw Difference("rays looked at another number of voxels");
+    return true;
+  }
+
+  bool is_closed_;
+  Cube cube_;
+  Dice dice_;
+  Findings& findings_;
+  Tally& attack_;
+  std::vector<Body> bodies_;
+  std::vector<Border> borders_;
+  facet::FacetSet facets_;
+  VoxelMemory voxels_;
+  LayerMemory layers_;
+};
+
+}  // namespace
+
+void run_trial(const Attack& attack, const Cube& cube, std::uint64_t seed, Findings& findings) {
+  Trial(attack, cube, seed, findings).run();
+}
+
+}  // namespace rc2::stress
