@@ -12,7 +12,12 @@ function chart(element, points, xName, yName) {
   const families = [...new Set(points.map((p) => p.family))];
   const parts = [];
   const ticks = (range, draw) => {
-    for (let e = Math.ceil(Math.log10(range[0])); 10 ** e <= range[1]; ++e) draw(10 ** e, e >= -2 && e <= 4 ? String(+(10 ** e).toPrecision(1)) : `1e${e}`);
+    const steps = range[1] < 1e3 * range[0] ? [1, 2, 5] : [1];
+    for (let e = Math.floor(Math.log10(range[0])); 10 ** e <= range[1]; ++e)
+      for (const step of steps) {
+        const v = Number((step * 10 ** e).toPrecision(1));
+        if (v >= range[0] && v <= range[1]) draw(v, e >= -2 && e <= 4 ? String(v) : `${step}e${e}`);
+      }
   };
   ticks(xs, (v, word) => parts.push(`<line x1="${x(v)}" x2="${x(v)}" y1="${T}" y2="${H - B}" stroke="#ddd"/><text x="${x(v)}" y="${H - B + 16}" text-anchor="middle">${word}</text>`));
   ticks(ys, (v, word) => parts.push(`<line x1="${L}" x2="${W - R}" y1="${y(v)}" y2="${y(v)}" stroke="#ddd"/><text x="${L - 6}" y="${y(v) + 4}" text-anchor="end">${word}</text>`));
