@@ -24,7 +24,7 @@
 ## Words for sim (N and MODE also for rtl)
 ##   MACHINE=rtl    rtl, cycle (cycle model) or golden (no notion of time)
 ##   N=16           cells per side; 128 on cycle and golden
-##   SCENE=         a file that Assimp reads, or empty, room, ball:R, shells:PERCENT:SEED,
+##   SCENE=         a file that Assimp reads, or empty, room, gallery, ball:R, shells:PERCENT:SEED,
 ##                  dust:PERCENT:SEED; default: the room sw/scene/room.dae, then a duck
 ##   LIGHT=         x,y,z[,r,g,b] in voxels; several between quotes; default: the scene's lights
 ##   WAVES=on       on or off: waves.fst, of rtl only

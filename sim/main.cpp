@@ -36,6 +36,8 @@ rc2::ExitCode run_program(int argc, char** argv) {
   rc2::declare_diffusion(program, exit_code);
   rc2::declare_queues(program, exit_code);
   rc2::declare_light_error(program, exit_code);
+  rc2::declare_render(program, exit_code);
+  rc2::declare_render_error(program, exit_code);
   rc2::declare_network(program, exit_code);
   rc2::declare_thesis(program, exit_code);
   try {

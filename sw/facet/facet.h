@@ -9,6 +9,7 @@
 
 #include "sw/facet/packet.h"
 #include "sw/facet/polygon.h"
+#include "sw/rays/ray.h"
 #include "sw/scene/scene.h"
 
 namespace rc2::facet {
@@ -30,8 +31,10 @@ struct Plane {
 struct FacetInfo {
   glm::vec3 normal;  ///< outward, of unit length
   std::uint32_t material;
+  std::uint32_t polygon = 0;  ///< of the scene
   Plane plane{};
   bool is_crowded = false;  ///< too much surface around it to tell one side from the other
+  rays::Body body = rays::Body::sheet;  ///< of build_layers only
 };
 
 /// What became of the scene's polygons.

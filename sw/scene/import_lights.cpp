@@ -7,6 +7,8 @@
 namespace rc2::scene {
 namespace {
 
+constexpr float kHalfTurn = 3.14159265F;
+
 // Assimp ties lights and cameras to nodes by name only.
 glm::dmat4 placement(const std::vector<PlacedNode>& nodes, const aiString& name) {
   for (const PlacedNode& placed : nodes)
@@ -52,8 +54,9 @@ void import_camera(const aiScene& source, const std::vector<PlacedNode>& nodes, 
   const aiCamera& camera = *source.mCameras[0];
   const glm::dmat4 to_scene = placement(nodes, camera.mName);
   const Camera result{point(to_scene, camera.mPosition), direction(to_scene, camera.mLookAt),
-                      direction(to_scene, camera.mUp)};
-  if (is_finite(result.position) && is_finite(result.direction) && is_finite(result.up))
+                      direction(to_scene, camera.mUp), camera.mHorizontalFOV};
+  if (is_finite(result.position) && is_finite(result.direction) && is_finite(result.up) &&
+      result.angle > 0 && result.angle < kHalfTurn)
     scene.camera = result;
 }
 

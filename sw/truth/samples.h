@@ -17,8 +17,6 @@ struct Sample {
   bool seen;            ///< by the viewer, who looks along z from z = +infinity
 };
 
-constexpr double kLift = 0.002;
-
 /// The sample of a point of a triangle.
 Sample make_sample(const Surface& surface, const glm::dvec3& point, std::uint32_t triangle);
 

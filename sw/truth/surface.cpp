@@ -49,6 +49,23 @@ void count_hit(const RTCFilterFunctionNArguments* arguments) {
   arguments->valid[0] = 0;
 }
 
+struct Search {
+  RTCIntersectContext context;
+  const Surface::Accepts& accepts;
+  bool is_back;  // of the last one accepted, which is the nearest
+};
+
+void refuse_hit(const RTCFilterFunctionNArguments* arguments) {
+  const RTCRay ray = rtcGetRayFromRayN(arguments->ray, 1, 0);
+  const RTCHit hit = rtcGetHitFromHitN(arguments->hit, 1, 0);
+  auto& search = *reinterpret_cast<Search*>(arguments->context);
+  const bool is_back = ray.dir_x * hit.Ng_x + ray.dir_y * hit.Ng_y + ray.dir_z * hit.Ng_z > 0;
+  if (search.accepts(hit.primID, is_back))
+    search.is_back = is_back;
+  else
+    arguments->valid[0] = 0;
+}
+
 // Ericson, Real-Time Collision Detection, 5.1.5.
 glm::dvec3 nearest_in_triangle(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b,
                                const glm::dvec3& c) {
@@ -72,7 +89,7 @@ glm::dvec3 nearest_in_triangle(const glm::dvec3& p, const glm::dvec3& a, const g
   return sum > 0 ? a + ab * (vb / sum) + ac * (vc / sum) : a;
 }
 
-struct Search {
+struct NearestFoot {
   const Triangles& triangles;
   glm::dvec3 point;
   Surface::Foot best;
@@ -80,7 +97,7 @@ struct Search {
 };
 
 bool look_at_triangle(RTCPointQueryFunctionArguments* arguments) {
-  Search& search = *static_cast<Search*>(arguments->userPtr);
+  NearestFoot& search = *static_cast<NearestFoot*>(arguments->userPtr);
   const glm::uvec3& corner = search.triangles.corners[arguments->primID];
   const std::vector<glm::dvec3>& vertices = search.triangles.vertices;
   const glm::dvec3 at =
@@ -149,6 +166,20 @@ bool Surface::sees_infinity(const glm::dvec3& from, const glm::dvec3& direction)
   return is_free(from, direction, kFar);
 }
 
+std::optional<Surface::Met> Surface::first_met(const glm::dvec3& from, const glm::dvec3& direction,
+                                               const Accepts& accepts) const {
+  Search search{{}, accepts, false};
+  rtcInitIntersectContext(&search.context);
+  search.context.filter = refuse_hit;
+  RTCRayHit query{};
+  query.ray = make_ray(from, direction, kFar);
+  query.ray.tnear = static_cast<float>(kLift);
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(scene_->scene, &search.context, &query);
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+  return Met{query.ray.tfar, query.hit.primID, search.is_back};
+}
+
 int Surface::winding_along(const glm::dvec3& point, const glm::dvec3& direction) const {
   Count count{};
   rtcInitIntersectContext(&count.context);
@@ -175,7 +206,7 @@ Surface::Foot Surface::nearest(const glm::dvec3& point) const {
   query.y = static_cast<float>(point.y);
   query.z = static_cast<float>(point.z);
   query.radius = kFar;
-  Search search{triangles_, point, {}, std::numeric_limits<double>::infinity()};
+  NearestFoot search{triangles_, point, {}, std::numeric_limits<double>::infinity()};
   rtcPointQuery(scene_->scene, &query, &context, look_at_triangle, &search);
   return search.best;
 }

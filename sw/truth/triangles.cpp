@@ -62,10 +62,12 @@ glm::dvec3 Triangles::doubled_area(std::size_t triangle) const {
 }
 
 Triangles triangles_of(const scene::Scene& scene) {
-  Triangles result{scene.vertices, {}};
+  Triangles result{scene.vertices, {}, {}};
   Cutter cutter(result);
-  for (std::size_t i = 0; i < scene.polygon_count(); ++i)
+  for (std::size_t i = 0; i < scene.polygon_count(); ++i) {
     cutter.cut(scene.first[i], scene.first[i + 1]);
+    result.polygon.resize(result.corners.size(), static_cast<std::uint32_t>(i));
+  }
   return result;
 }
 

@@ -1,6 +1,7 @@
 // The scene's polygons as triangles, where they are: nothing is rounded.
 #pragma once
 
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -9,8 +10,9 @@
 namespace rc2::truth {
 
 struct Triangles {
-  std::vector<glm::dvec3> vertices;  ///< those of the scene
-  std::vector<glm::uvec3> corners;   ///< of each triangle, outside counter-clockwise
+  std::vector<glm::dvec3> vertices;    ///< those of the scene
+  std::vector<glm::uvec3> corners;     ///< of each triangle, outside counter-clockwise
+  std::vector<std::uint32_t> polygon;  ///< of each triangle
 
   /// Twice its area, along its outward normal.
   glm::dvec3 doubled_area(std::size_t triangle) const;
