@@ -31,10 +31,10 @@ struct Plane {
 struct FacetInfo {
   glm::vec3 normal;  ///< outward, of unit length
   std::uint32_t material;
-  std::uint32_t polygon = 0;  ///< of the scene
   Plane plane{};
   bool is_crowded = false;  ///< too much surface around it to tell one side from the other
   rays::Body body = rays::Body::sheet;  ///< of build_layers only
+  std::uint32_t polygon = 0;            ///< of the scene
 };
 
 /// What became of the scene's polygons.

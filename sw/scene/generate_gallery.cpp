@@ -91,13 +91,13 @@ void generate_gallery(Scene& scene, int n) {
   };
   box({0.45, 0.56, 0.14}, {0.34, 0.30, 0.025}, hung, kMirror);
   box({0.80, 0.15, 0.26}, {0.10, 0.13, 0.09}, turn, kOchre);
-  box({0.45, 0.09, 0.60}, {0.06, 0.06, 0.06}, glm::dmat3(1.0), kFrame);
-  add_sphere(scene, place({0.24, 0.19, 0.46}), size * 0.16, kEdge, kSilver);
-  add_sphere(scene, place({0.68, 0.18, 0.64}), size * 0.14, kEdge, kGlass);
+  box({0.42, 0.07, 0.62}, {0.05, 0.05, 0.05}, glm::dmat3(1.0), kFrame);
+  add_sphere(scene, place({0.24, 0.17, 0.42}), size * 0.16, kEdge, kSilver);
+  add_sphere(scene, place({0.62, 0.14, 0.50}), size * 0.13, kEdge, kGlass);
 
   scene.lights.push_back({place({0.35, 0.90, 0.62}), {0.95F, 0.92F, 0.85F}});
   scene.lights.push_back({place({0.88, 0.62, 0.88}), {0.35F, 0.38F, 0.45F}});
-  scene.camera = Camera{place({0.52, 0.47, 0.97}), {-0.04, -0.12, -1}, {0, 1, 0}, 1.1};
+  scene.camera = Camera{place({0.52, 0.47, 0.97}), {-0.04, -0.18, -1}, {0, 1, 0}, 1.25};
 }
 
 }  // namespace rc2::scene

@@ -322,7 +322,8 @@ TEST(DefaultScene, IsWhatTheTourNeeds) {
   ASSERT_EQ(scene.lights.size(), 2U);
   EXPECT_GT(scene.lights[0].colour.x, scene.lights[0].colour.z) << "warm";
   EXPECT_LT(scene.lights[1].colour.x, scene.lights[1].colour.z) << "cool";
-  EXPECT_TRUE(scene.camera.has_value());
+  ASSERT_TRUE(scene.camera.has_value());
+  EXPECT_NEAR(scene.camera->angle, 35 * 3.14159265 / 180, 1e-5);
   float mirror = 0.0F, transparency = 0.0F;
   for (const std::uint32_t material : scene.material) {
     mirror = std::max(mirror, scene.materials[material].mirror);
@@ -442,7 +443,7 @@ TEST(FitToCube, MovesLightsAndCameraAlong) {
     Scene scene;
     scene.add({{0, 0, 0}, {4, 0, 0}, {4, 2, 0}}, 0);
     scene.lights.push_back({{2, 1, 0}, {}});
-    scene.camera = Camera{{2, 1, 8}, {0, 0, -1}, {0, 1, 0}};
+    scene.camera = Camera{{2, 1, 8}, {0, 0, -1}, {0, 1, 0}, 1};
     fit_to_cube(scene, n);
     const double low = n < 4 ? 0.0 : 1.0, middle = 0.5 * (n - 1);
     EXPECT_NEAR(scene.vertices[0].x, low, 1e-12);
