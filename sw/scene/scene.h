@@ -31,7 +31,8 @@ struct Light {
 
 struct Camera {
   glm::dvec3 position, direction, up;
-  double angle;  ///< from the left to the right border of the picture, radians
+  double angle;  ///< from the left to the right border of the picture, radians; 45 degrees if the
+                 ///< file does not say it in a way that Assimp reads
 };
 
 /// Polygons in flat storage: polygon i has vertices first[i] .. first[i+1]-1, in order around its
