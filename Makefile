@@ -13,6 +13,8 @@
 ##   systemc   the SystemC test benches and the example TLM-2.0 platform, waveforms under out/systemc/
 ##   bench-diffusion  light: cycles by scene, n, source and mode, as the docs show them
 ##   bench-light  light: what differs from the continuous scene, by rule, as the docs show it
+##   bench-render  rendering: what rays and pictures differ from the continuous scene, cycles of the
+##             network, as the docs show them
 ##   area      what a cell costs: area, clock, area times time, as the docs show it
 ##   test      every test; the last line is their summary
 ##   lint      verilator -Wall, yosys on every module alone, clang-format, clang-tidy
@@ -82,7 +84,7 @@ cmake_build := cmake --build build -j $(jobs) --target
 test_sizes := 4 5 8 16
 known_sizes := $(test_sizes) 32
 
-.PHONY: help setup build sim thesis chapter2 bench-load bench-diffusion bench-light area oracle systemc test lint sanitize rtl format clean
+.PHONY: help setup build sim thesis chapter2 bench-load bench-diffusion bench-light bench-render area oracle systemc test lint sanitize rtl format clean
 .NOTPARALLEL:
 
 help:
@@ -136,6 +138,9 @@ bench-diffusion: build
 
 bench-light: build
 	@scripts/bench-light '$(OUT)/bench-light'
+
+bench-render: build
+	@scripts/bench-render '$(OUT)/bench-render'
 
 test: build/build.ninja
 	$(cmake_build) all $(test_sizes:%=rtl_n%) $(test_sizes:%=rtl_thesis_n%)

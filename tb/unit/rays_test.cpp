@@ -157,6 +157,15 @@ TEST(Launch, FitsItsWidths) {
   }
 }
 
+// The last column of the table in docs/render.md.
+TEST(Format, IsAsWideAsTheTableSays) {
+  EXPECT_EQ(3 * place_bits(128), 45);
+  EXPECT_EQ(3 * direction_bits(128), 42);
+  EXPECT_EQ(decision_bits(128), 20);
+  EXPECT_EQ(2 * slope_bits(128), 36);
+  EXPECT_EQ(slope_fraction(128), 8);
+}
+
 Facet random_facet(scene::Random& random) {
   Facet facet;
   for (int axis = 0; axis < 3; ++axis)
