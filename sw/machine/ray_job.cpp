@@ -50,6 +50,14 @@ bool operator==(const RayHit& a, const RayHit& b) {
          (a.is_back == b.is_back && a.voxel == b.voxel && a.point == b.point);
 }
 
+bool operator==(const RayCounts& a, const RayCounts& b) {
+  const auto all = [](const RayCounts& c) {
+    return std::tie(c.issued, c.hits, c.escaped, c.rescued, c.too_light, c.too_deep, c.probes,
+                    c.planes);
+  };
+  return all(a) == all(b);
+}
+
 std::int64_t RayCounts::total() const {
   return std::accumulate(issued.begin(), issued.end(), std::int64_t{0});
 }

@@ -55,9 +55,25 @@ struct RayCounts {
   std::int64_t total() const;
 };
 
+bool operator==(const RayCounts& a, const RayCounts& b);
+
+/// How the rays travelled; 0 on golden. Rays begun = first rays + run_on + sent_again.
+struct RayTraffic {
+  std::int64_t cycles = 0;   ///< from the start to the last answer at home
+  std::int64_t busiest = 0;  ///< cycles that the probe of the busiest cell was at work
+  std::int64_t latency = 0;  ///< of the longest chain of rays and its way home, if nothing waited
+  std::int64_t hops = 0;     ///< of rays, from cell to cell
+  std::int64_t waits = 0;    ///< cycles that rays spent with nothing left to do but to go on
+  std::int64_t answers = 0;  ///< hits that came home
+  std::int64_t run_on = 0;   ///< rays that began where their parent ended
+  std::int64_t sent_again = 0;  ///< rays that went home first, because there was no room for them
+  std::int64_t max_stack = 0;   ///< most rays that waited at a home
+};
+
 struct RayResult {
   std::vector<RayHit> hits;  ///< all rays, sorted by y, x of the pixel, then node
   RayCounts counts;
+  RayTraffic traffic;
 };
 
 /// Puts the hits into their order.
