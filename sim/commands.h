@@ -27,6 +27,7 @@ void declare_walk(CLI::App& program, ExitCode& exit_code);
 void declare_diffusion(CLI::App& program, ExitCode& exit_code);
 void declare_queues(CLI::App& program, ExitCode& exit_code);
 void declare_light_error(CLI::App& program, ExitCode& exit_code);
+void declare_ray_traffic(CLI::App& program, ExitCode& exit_code);
 void declare_render(CLI::App& program, ExitCode& exit_code);
 void declare_render_error(CLI::App& program, ExitCode& exit_code);
 void declare_network(CLI::App& program, ExitCode& exit_code);

@@ -79,12 +79,25 @@ class Renderer {
     for (int depth = 0; options_.progressive && depth < options_.depth; ++depth)
       write(fmt::format("{}-depth-{}", depth + 1, depth), picture::compose(traced, lit, depth));
     write("picture", picture::compose(traced, lit, options_.depth));
-    write_report(job, lamps, result, rule);
-    return kDone;
+    const bool agrees =
+        options_.machine == kReference || golden_hits(job, config, rays) == result.hits;
+    write_report(job, lamps, result, rule, agrees);
+    if (agrees) return kDone;
+    fmt::print(stderr, "rc2: the hits of {} and {} differ; see the report\n", options_.machine,
+               kReference);
+    return kDisagreement;
   }
 
  private:
   static constexpr int kFa = 16;
+  static constexpr const char* kReference = "golden";
+
+  std::vector<RayHit> golden_hits(const Job& job, const MachineConfig& config, const RayJob& rays) {
+    const auto golden = make_machine(kReference, config);
+    Drive drive(*golden, kReference, bar_);
+    drive.load(job.facets);
+    return drive.trace(rays).hits;
+  }
 
   void write(const std::string& name, const picture::Image& image) {
     const std::string path = (std::filesystem::path(options_.out) / name).string();
@@ -94,7 +107,8 @@ class Renderer {
     written_.push_back(path + ".png");
   }
 
-  void write_report(const Job& job, const Lamps& lamps, const RayResult& result, LightRule rule) {
+  void write_report(const Job& job, const Lamps& lamps, const RayResult& result, LightRule rule,
+                    bool agrees) {
     RenderReport report;
     report.scene = options_.scene;
     report.machine = options_.machine;
@@ -108,6 +122,7 @@ class Renderer {
     report.facets = job.facets.counts.loaded;
     report.lights = static_cast<std::int64_t>(lamps.list.size());
     report.result = &result;
+    report.agrees = agrees;
     const std::string path = (std::filesystem::path(options_.out) / "report.json").string();
     written_.push_back(path);
     report.written = written_;

@@ -33,6 +33,12 @@ std::string to_json(const RenderReport& report) {
                   {"escaped", counts.escaped},     {"rescued", counts.rescued},
                   {"too_light", counts.too_light}, {"too_deep", counts.too_deep},
                   {"probes", counts.probes},       {"planes", counts.planes}};
+  const RayTraffic& traffic = report.result->traffic;
+  json["traffic"] = {{"cycles", traffic.cycles},         {"busiest", traffic.busiest},
+                     {"latency", traffic.latency},       {"hops", traffic.hops},
+                     {"waits", traffic.waits},           {"run_on", traffic.run_on},
+                     {"sent_again", traffic.sent_again}, {"max_stack", traffic.max_stack}};
+  json["agrees_with_golden"] = report.agrees;
   json["files"] = report.written;
   return json.dump(2) + "\n";
 }
@@ -57,6 +63,18 @@ std::string to_text(const RenderReport& report) {
       report.lights, report.light_rule, fmt::join(issued(report), ", "), counts.hits,
       counts.rescued, counts.escaped, counts.too_light, counts.too_deep, counts.probes,
       counts.planes);
+  if (report.machine != "golden") {
+    const RayTraffic& traffic = report.result->traffic;
+    text += fmt::format(
+        "cycles                 {}\n"
+        "busiest cell's probe   {} cycles\n"
+        "longest chain          {} cycles, if nothing waited\n"
+        "began where they were  {}\n"
+        "sent from home again   {}\n"
+        "agrees with golden     {}\n",
+        traffic.cycles, traffic.busiest, traffic.latency, traffic.run_on, traffic.sent_again,
+        report.agrees ? "in every hit" : "NO");
+  }
   for (const std::string& path : report.written)
     text += fmt::format("written                {}\n", path);
   return text;

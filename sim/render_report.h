@@ -16,12 +16,14 @@ struct RenderReport {
   double least_weight = 0;
   std::int64_t facets = 0, lights = 0;
   const RayResult* result = nullptr;
+  bool agrees = true;  ///< with golden, in every hit
   std::vector<std::string> written;
 };
 
 /// Top level: scene, machine, view, light_rule, unused_camera, n, depth, queue, least_weight,
 /// facets, lights, rays {issued [by depth], hits, escaped, rescued, too_light, too_deep, probes,
-/// planes}, files.
+/// planes}, traffic {cycles, busiest, latency, hops, waits, run_on, sent_again, max_stack} (zeros
+/// on golden), agrees_with_golden, files.
 std::string to_json(const RenderReport& report);
 
 /// The same for people.
