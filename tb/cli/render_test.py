@@ -48,7 +48,36 @@ class Render(HostTest):
         self.assertEqual(sum(heavy["rays"]["issued"]), 256)
         self.assertGreater(heavy["rays"]["too_light"], 0)
 
+    def test_the_network_finds_what_golden_finds(self):
+        golden, _ = self.render("gallery", "--n", 20, "--depth", 3)
+        picture = (self.folder / "out/picture.exr").read_bytes()
+        self.assertEqual(golden["traffic"]["cycles"], 0)
+        for queue in 1, 3:
+            cycle, text = self.render("gallery", "--n", 20, "--depth", 3, "--machine", "cycle", "--queue", queue)
+            self.assertEqual(cycle["rays"], golden["rays"])
+            self.assertTrue(cycle["agrees_with_golden"])
+            self.assertIn("in every hit", text)
+            traffic = cycle["traffic"]
+            self.assertEqual(traffic["run_on"] + traffic["sent_again"], sum(cycle["rays"]["issued"][1:]))
+            self.assertGreaterEqual(traffic["cycles"], max(traffic["busiest"], traffic["latency"]))
+        self.assertNotEqual((self.folder / "out/picture.exr").read_bytes(), picture, "light by another rule")
+
+    def test_traffic(self):
+        text = self.succeed("ray-traffic", "gallery", "--n", "12,16", "--depth", "0,2", "--queue", "1,2", "--out", "t.csv")
+        with open(self.folder / "t.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(len(rows), 2 * 2 * 2)
+        for row in rows:
+            self.assertRegex(text, rf"\b{row['T']}\b")
+            if row["depth"] == "0":
+                self.assertEqual((row["hops"], row["rays"]), ("0", str(int(row["n"]) ** 2)))
+        mirrors = self.succeed("ray-traffic", "gallery", "--n", 12, "--all-mirrors", "--depth", 2, "--queue", 1)
+        self.assertNotIn(mirrors.splitlines()[1], text)
+
     def test_bad_input(self):
+        self.refuse("ray-traffic", "ball:4", "--n", 16, "--queue", 0, says="--queue")
+        self.refuse("ray-traffic", "ball:4", "--n", 16, "--view", "camera", says="has no camera")
+        self.refuse("render", "ball:4", "--n", 16, "--queue", 0, says="--queue")
         self.refuse("render", "ball:4", "--n", 16, "--view", "camera", says="has no camera")
         self.refuse("render", "ball:4", "--n", 16, "--depth", 8, says="--depth")
         self.refuse("render", "ball:4", "--n", 16, "--least-weight", "1.5", says="--least-weight 1.5")
