@@ -2,12 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <glm/geometric.hpp>
 #include <memory>
 
-#include "sim/camera.h"
+#include "sim/bounce.h"
 #include "sim/commands.h"
 #include "sim/drive.h"
 #include "sim/job.h"
@@ -19,7 +17,6 @@
 #include "sw/golden/golden_machine.h"
 #include "sw/picture/compose.h"
 #include "sw/picture/difference.h"
-#include "sw/scene/random.h"
 #include "sw/truth/whitted.h"
 
 namespace rc2 {
@@ -31,16 +28,6 @@ struct RenderErrorOptions {
   std::vector<int> depths = {0, 1, 4};
   std::string view = "front";
   std::string out;
-};
-
-// Rays from true points of the surface, mirrored where it mirrors and at random everywhere, and
-// what became of them.
-struct Bounce {
-  std::int64_t rays = 0;
-  std::int64_t gross = 0;     // hit where nothing is or the reverse, or more than 2 voxels apart
-  std::int64_t early = 0;     // of these, those that ended too soon
-  std::int64_t straight = 0;  // not gross, and reflected within a degree of the truth
-  double distance = 0;        // sum over those that are not gross, voxels
 };
 
 // A picture of the machine against the true one.
@@ -56,18 +43,6 @@ struct Row {
   Bounce bounce;
   std::vector<Compared> pictures;
 };
-
-constexpr double kGross = 2;  // voxels
-const double kDegree = std::cos(std::acos(-1.0) / 180);
-
-glm::dvec3 random_direction(const glm::dvec3& normal, scene::Random& random) {
-  for (;;) {
-    const glm::dvec3 v(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
-    const double square = glm::dot(v, v);
-    if (square > 1 || square < 0.01) continue;
-    return glm::normalize(glm::dot(v, normal) < 0 ? -v : v);
-  }
-}
 
 class Bench {
  public:
@@ -85,21 +60,7 @@ class Bench {
   }
 
   Row measure(const std::string& title) {
-    Row row{title, n_, {}, {}};
-    scene::Random random(1);
-    std::vector<Sight> mirrored, scattered;
-    for (Sight sight : front_sights(n_)) {
-      // Off the middle of the pixel: there are edges of generated scenes.
-      sight.from.x += random.between(-0.5, 0.5);
-      sight.from.y += random.between(-0.5, 0.5);
-      const auto hit = truth_.first_hit(sight.from, sight.direction, false);
-      if (!hit) continue;
-      if (job_.scene.materials[job_.scene.material[hit->polygon]].mirror > 0)
-        mirrored.push_back({hit->at, glm::reflect(sight.direction, hit->normal)});
-      scattered.push_back({hit->at, random_direction(hit->normal, random)});
-    }
-    bounce(mirrored, row.bounce);
-    bounce(scattered, row.bounce);
+    Row row{title, n_, measure_bounce(truth_, job_.scene, optics_, machine_), {}};
     compare_pictures(row);
     return row;
   }
@@ -119,52 +80,6 @@ class Bench {
     config.fraction_bits = kRenderFraction;
     config.max_distance = 2 * n;
     return config;
-  }
-
-  // Every facet a mirror: the ray that a hit sends out tells the normal that the machine has.
-  void bounce(std::vector<Sight> sights, Bounce& sum) {
-    const auto pixels = static_cast<std::size_t>(n_) * static_cast<std::size_t>(n_);
-    const std::size_t count = sights.size();
-    std::vector<RayStart> starts = ray_starts(sights, n_);
-    starts.resize(pixels);
-    std::vector<rays::Facet> mirrors = optics_;
-    for (rays::Facet& facet : mirrors) {
-      facet.mirror = rays::kShareOne;
-      facet.clear = 0;
-    }
-    const RayResult result = machine_.trace({{1, 1}, &mirrors, &starts}, {});
-    std::vector<const RayHit*> first(pixels), second(pixels);
-    for (const RayHit& hit : result.hits) {
-      const auto pixel = static_cast<std::size_t>(hit.ray.home.y * n_ + hit.ray.home.x);
-      (hit.ray.node == 1 ? first : second)[pixel] = &hit;
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-      if (first[i] == nullptr) continue;
-      judge(sights[i], *first[i], second[i], sum);
-    }
-  }
-
-  void judge(const Sight& sight, const RayHit& first, const RayHit* second, Bounce& sum) const {
-    ++sum.rays;
-    const auto truth = truth_.first_hit(sight.from, sight.direction, false);
-    const bool escaped = first.facet == RayHit::kNoFacet;
-    if (escaped && !truth) {
-      ++sum.straight;
-      return;
-    }
-    const glm::dvec3 at = glm::dvec3(first.point) / double{rays::kPlaceOne};
-    const double off = escaped || !truth ? kGross + 1 : glm::distance(at, truth->at);
-    if (off > kGross) {
-      ++sum.gross;
-      if (!escaped &&
-          (!truth || glm::distance(at, sight.from) < glm::distance(truth->at, sight.from)))
-        ++sum.early;
-      return;
-    }
-    sum.distance += off;
-    const glm::dvec3 want = glm::reflect(sight.direction, truth->normal);
-    const glm::dvec3 have = glm::normalize(glm::dvec3(second->ray.direction));
-    if (glm::dot(want, have) >= kDegree) ++sum.straight;
   }
 
   void compare_pictures(Row& row) {

@@ -215,42 +215,21 @@ std::optional<unsigned> RayArray::wish(std::size_t cell, unsigned queue) {
   if (is_of_rays(queue)) {
     const RayWalk& walk = rays_[handle];
     if (!walk.is_probed() || walk.end() || cycle_ < walk.ready_at) return std::nullopt;
-    return (walk.axis() == 0 ? kEast : kNorth) + (walk.step() < 0 ? 1U : 0U);
+    return way_along(walk.axis(), walk.step());
   }
-  if (is_answer(queue)) return way_to(cell, answers_[handle].hit.ray.home, queue < kAnswersYx);
-  return way_to(cell, glm::ivec2(rays::voxel_of(starts_[handle].ray.origin)), true);
-}
-
-unsigned RayArray::way_to(std::size_t cell, const glm::ivec2& goal, bool x_first) const {
-  const glm::ivec2 way = goal - place(cell);
-  if (way == glm::ivec2(0)) return kHere;
-  const bool along_x = x_first ? way.x != 0 : way.y == 0;
-  if (along_x) return way.x > 0 ? kEast : kWest;
-  return way.y > 0 ? kNorth : kSouth;
+  if (is_answer(queue))
+    return way_to(place(cell), answers_[handle].hit.ray.home, queue < kAnswersYx);
+  return way_to(place(cell), rays::voxel_of(starts_[handle].ray.origin), true);
 }
 
 std::size_t RayArray::next_queue(std::size_t cell, unsigned queue, unsigned way) {
-  const std::size_t to = neighbour(cell, way);
+  const std::size_t to = neighbour(cell, way, n_);
   if (is_of_rays(queue)) {
     const unsigned quadrant = rays_[queues_.front(RayQueues::number(cell, queue))].quadrant();
     return RayQueues::number(to, kRays + 2 * quadrant + (way >= kNorth ? 1U : 0U));
   }
   const unsigned of = is_answer(queue) ? (queue < kAnswersYx ? kAnswersXy : kAnswersYx) : kStarts;
   return RayQueues::number(to, of + way);
-}
-
-std::size_t RayArray::neighbour(std::size_t cell, unsigned way) const {
-  const auto n = static_cast<std::size_t>(n_);
-  switch (way) {
-    case kEast:
-      return cell + 1;
-    case kWest:
-      return cell - 1;
-    case kNorth:
-      return cell + n;
-    default:
-      return cell - n;
-  }
 }
 
 glm::ivec2 RayArray::place(std::size_t cell) const {

@@ -57,10 +57,8 @@ class RayArray {
 
   // Where the message at the head of a queue wants to go, if anywhere yet.
   std::optional<unsigned> wish(std::size_t cell, unsigned queue);
-  unsigned way_to(std::size_t cell, const glm::ivec2& goal, bool x_first) const;
   // Of the neighbour that way, the queue for the message at the head of this one.
   std::size_t next_queue(std::size_t cell, unsigned queue, unsigned way);
-  std::size_t neighbour(std::size_t cell, unsigned way) const;
   glm::ivec2 place(std::size_t cell) const;
 
   template <typename Test>

@@ -6,10 +6,9 @@
 #include <utility>
 #include <vector>
 
-namespace rc2::cycle {
+#include "sw/cycle/ray_ways.h"
 
-/// Directions between cells, and to oneself.
-enum Way : unsigned { kEast, kWest, kNorth, kSouth, kHere };
+namespace rc2::cycle {
 
 /// The queues of one cell. A queue takes messages of one class from one side, so that no message
 /// waits behind one that goes elsewhere for another reason.
