@@ -17,6 +17,8 @@
 ##   bench     run time against error, also of what one would take instead of the machine; at most 15
 ##             minutes, FULL=1 hours; goes on where it was interrupted
 ##   report    report/index.html: pictures, plots, tables, a 3D view and the wave of light on one page
+##   bench-render  rendering: what rays and pictures differ from the continuous scene, cycles of the
+##             network, as the docs show them
 ##   area      what a cell costs: area, clock, area times time, as the docs show it
 ##   test      every test; the last line is their summary
 ##   lint      verilator -Wall, yosys on every module alone, clang-format, clang-tidy
@@ -28,7 +30,7 @@
 ## Words for sim (N and MODE also for rtl)
 ##   MACHINE=rtl    rtl, cycle (cycle model) or golden (no notion of time)
 ##   N=16           cells per side; 128 on cycle and golden
-##   SCENE=         a file that Assimp reads, or empty, room, ball:R, shells:PERCENT:SEED,
+##   SCENE=         a file that Assimp reads, or empty, room, gallery, ball:R, shells:PERCENT:SEED,
 ##                  dust:PERCENT:SEED; default: the room sw/scene/room.dae, then a duck
 ##   LIGHT=         x,y,z[,r,g,b] in voxels; several between quotes; default: the scene's lights
 ##   WAVES=on       on or off: waves.fst, of rtl only
@@ -90,7 +92,7 @@ cmake_build := cmake --build build -j $(jobs) --target
 test_sizes := 4 5 8 16
 known_sizes := $(test_sizes) 32
 
-.PHONY: help setup build sim thesis chapter2 bench-load bench-diffusion bench-light bench report area oracle stress systemc test lint sanitize rtl format clean
+.PHONY: help setup build sim thesis chapter2 bench-load bench-diffusion bench-light bench-render bench report area oracle stress systemc test lint sanitize rtl format clean
 .NOTPARALLEL:
 
 help:
@@ -158,6 +160,8 @@ report: build
 	@scripts/setup report
 	@scripts/report/build '$(OUT)/report' '$(OUT)/bench' report/index.html
 	@scripts/report/check report/index.html
+bench-render: build
+	@scripts/bench-render '$(OUT)/bench-render'
 
 test: build/build.ninja
 	$(cmake_build) all $(test_sizes:%=rtl_n%) $(test_sizes:%=rtl_thesis_n%)

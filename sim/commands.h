@@ -29,6 +29,9 @@ void declare_queues(CLI::App& program, ExitCode& exit_code);
 void declare_light_error(CLI::App& program, ExitCode& exit_code);
 void declare_measure(CLI::App& program, ExitCode& exit_code);
 void declare_peers(CLI::App& program, ExitCode& exit_code);
+void declare_ray_traffic(CLI::App& program, ExitCode& exit_code);
+void declare_render(CLI::App& program, ExitCode& exit_code);
+void declare_render_error(CLI::App& program, ExitCode& exit_code);
 void declare_network(CLI::App& program, ExitCode& exit_code);
 void declare_thesis(CLI::App& program, ExitCode& exit_code);
 

@@ -28,4 +28,11 @@ std::vector<LightResult> Drive::light(const std::vector<Lamp>& lamps, int target
   return results;
 }
 
+RayResult Drive::trace(const RayJob& job) {
+  RayResult result = machine_.trace(job, bar_.step("rays on " + name_));
+  bar_.wipe();
+  report::check_rays(result);
+  return result;
+}
+
 }  // namespace rc2

@@ -26,6 +26,9 @@ class Drive {
   std::vector<LightResult> light(const std::vector<Lamp>& lamps, int target_distance, int fa,
                                  LightRule rule);
 
+  /// Throws std::logic_error if a ray is lost.
+  RayResult trace(const RayJob& job);
+
   std::int64_t load_cycles() const { return load_.cycles; }
 
   /// What the machine has held after load() and after each light.

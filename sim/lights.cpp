@@ -7,7 +7,8 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <optional>
-#include <tuple>
+
+#include "sw/machine/find_voxel.h"
 
 namespace rc2 {
 namespace {
@@ -74,15 +75,6 @@ Lamp parse_lamp(const std::string& text, int n) {
 }
 
 }  // namespace
-
-const VoxelRecord* find_voxel(const VoxelMemory& voxels, glm::ivec3 at) {
-  const auto found = std::lower_bound(voxels.begin(), voxels.end(), at,
-                                      [](const VoxelRecord& voxel, glm::ivec3 wanted) {
-                                        return std::tie(voxel.at.z, voxel.at.y, voxel.at.x) <
-                                               std::tie(wanted.z, wanted.y, wanted.x);
-                                      });
-  return found != voxels.end() && found->at == at ? &*found : nullptr;
-}
 
 // Looks at ever larger boxes around the place; a box of half side r holds all voxels at most r
 // away.

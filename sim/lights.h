@@ -33,7 +33,4 @@ void place_lamps(Lamps& lamps, const VoxelMemory& voxels, int n);
 /// The free voxel nearest to a place; none if all are occupied.
 std::optional<glm::ivec3> nearest_free(const VoxelMemory& voxels, glm::ivec3 place, int n);
 
-/// The record of an occupied voxel, or null.
-const VoxelRecord* find_voxel(const VoxelMemory& voxels, glm::ivec3 at);
-
 }  // namespace rc2

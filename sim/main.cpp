@@ -38,6 +38,9 @@ rc2::ExitCode run_program(int argc, char** argv) {
   rc2::declare_light_error(program, exit_code);
   rc2::declare_measure(program, exit_code);
   rc2::declare_peers(program, exit_code);
+  rc2::declare_render(program, exit_code);
+  rc2::declare_render_error(program, exit_code);
+  rc2::declare_ray_traffic(program, exit_code);
   rc2::declare_network(program, exit_code);
   rc2::declare_thesis(program, exit_code);
   try {

@@ -44,7 +44,7 @@ void declare_scene_options(CLI::App& command, SceneOptions& options, const std::
   options.machine = machine;
   command
       .add_option("SCENE", options.scene,
-                  "A file that Assimp reads, or a generated scene: empty, room, ball:R, "
+                  "A file that Assimp reads, or a generated scene: empty, room, gallery, ball:R, "
                   "shells:PERCENT[:SEED], dust:PERCENT[:SEED]")
       ->required();
   command.add_option("--machine", options.machine, "The machine")
@@ -75,13 +75,17 @@ void declare_scene_options(CLI::App& command, SceneOptions& options, const std::
       ->type_name("FILE.csv");
 }
 
-void declare_run_options(CLI::App& command, RunOptions& options) {
-  declare_scene_options(command, options, "cycle");
+void declare_lights(CLI::App& command, std::vector<std::string>& lights) {
   command
-      .add_option("--light", options.lights,
+      .add_option("--light", lights,
                   "x,y,z[,r,g,b]: a light at a voxel, colour 1,1,1 if not given; may be repeated "
                   "(default: the scene's lights; one in the upper front left if it has none)")
       ->allow_extra_args(false);
+}
+
+void declare_run_options(CLI::App& command, RunOptions& options) {
+  declare_scene_options(command, options, "cycle");
+  declare_lights(command, options.lights);
   command
       .add_option("--light-rule", options.light_rule,
                   "Where light ends; thesis: in every occupied voxel; accurate: where facets turn "

@@ -57,6 +57,7 @@ struct RunOptions : SceneOptions {
 
 /// Declare the options of a command; `machine` is the default one.
 void declare_scene_options(CLI::App& command, SceneOptions& options, const std::string& machine);
+void declare_lights(CLI::App& command, std::vector<std::string>& lights);
 void declare_run_options(CLI::App& command, RunOptions& options);
 
 /// Throw Error on a value out of range, before any work is done. The first one completes the name

@@ -17,6 +17,7 @@
 #include "sim/results.h"
 #include "sim/stopwatch.h"
 #include "sw/machine/feeder.h"
+#include "sw/machine/find_voxel.h"
 #include "sw/report/compare.h"
 
 namespace rc2 {

@@ -1,6 +1,7 @@
 #include "sw/cycle/cycle_machine.h"
 
 #include "sw/cycle/cell.h"
+#include "sw/cycle/ray_array.h"
 #include "sw/machine/checks.h"
 
 namespace rc2::cycle {
@@ -30,6 +31,11 @@ LightResult CycleMachine::light(const LightJob& job, const Progress& progress) {
   }
   return config_.mode == LightMode::thesis ? light_array_.run(job, observer_, progress)
                                            : lane_array_.run(job, observer_, progress);
+}
+
+RayResult CycleMachine::trace(const RayJob& job, const Progress& progress) {
+  check_rays(config_, job, read_voxels());
+  return RayArray(config_.n, columns_, job).run(progress);
 }
 
 template <typename Visit>

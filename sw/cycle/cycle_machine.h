@@ -25,6 +25,9 @@ class CycleMachine : public Machine {
   /// 1 .. the machine's maximum. Throws std::logic_error if the machine loses a target or blocks.
   LightResult light(const LightJob& job, const Progress& progress) override;
 
+  /// Throws std::logic_error if the array blocks or loses a ray.
+  RayResult trace(const RayJob& job, const Progress& progress) override;
+
   VoxelMemory read_voxels() override;
   LayerMemory read_layers() override;
   LightMemory read_light() override;

@@ -137,6 +137,7 @@ class Builder {
       FacetInfo& info = set_.facets.emplace_back();
       info.normal = glm::normalize(glm::dvec3(normal));
       info.material = scene_.material[polygon];
+      info.polygon = static_cast<std::uint32_t>(polygon);
       info.plane = {normal, dot(normal, border.front())};
     } else {
       ++set_.counts.outside;

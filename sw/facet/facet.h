@@ -9,6 +9,7 @@
 
 #include "sw/facet/packet.h"
 #include "sw/facet/polygon.h"
+#include "sw/rays/ray.h"
 #include "sw/scene/scene.h"
 
 namespace rc2::facet {
@@ -31,6 +32,8 @@ struct FacetInfo {
   glm::vec3 normal;  ///< outward, of unit length
   std::uint32_t material;
   Plane plane{};
+  rays::Body body = rays::Body::sheet;  ///< of build_layers only
+  std::uint32_t polygon = 0;            ///< of the scene
 };
 
 /// What became of the scene's polygons.

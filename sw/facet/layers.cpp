@@ -26,6 +26,7 @@ class LayerBuilder {
     const std::vector<bool> is_thin = find_thin(shells.open);
     add_shown();
     add_guard(is_thin);
+    for (const Pieces& shell : shells.closed) mark_body(shell, rays::Body::room);
     add_inside(find_objects(traced_, shells.closed));
     set_.counts.objects_open = static_cast<std::int64_t>(shells.open.size());
     return std::move(set_);
@@ -81,9 +82,17 @@ class LayerBuilder {
     end_batch(false);
   }
 
+  void mark_body(const Pieces& shell, rays::Body body) {
+    for (const std::uint32_t i : shell) {
+      const std::optional<std::uint32_t> facet = traced_.pieces[i].facet;
+      if (facet) set_.facets[*facet].body = body;
+    }
+  }
+
   void add_inside(const Objects& objects) {
     auto nameless = static_cast<std::uint32_t>(set_.facets.size());
     for (const Pieces& solid : objects.solids) {
+      mark_body(solid, rays::Body::solid);
       for (const std::uint32_t i : solid) {
         const Traced::Piece& piece = traced_.pieces[i];
         const std::uint32_t number = piece.facet ? *piece.facet : nameless++;

@@ -1,6 +1,7 @@
 #include "sw/golden/golden_machine.h"
 
 #include "sw/golden/diffuse.h"
+#include "sw/golden/trace.h"
 #include "sw/golden/voxelise.h"
 #include "sw/machine/checks.h"
 
@@ -76,6 +77,12 @@ LightResult GoldenMachine::light(const LightJob& job, const Progress& progress) 
   result.visits = diffusion.visits;
   result.targets = diffusion.targets;
   return result;
+}
+
+RayResult GoldenMachine::trace(const RayJob& job, const Progress& progress) {
+  number_voxels();
+  check_rays(config_, job, voxels_);
+  return golden::trace(grid_, voxels_, layers_, job, progress);
 }
 
 VoxelMemory GoldenMachine::read_voxels() {

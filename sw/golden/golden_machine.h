@@ -23,6 +23,8 @@ class GoldenMachine : public Machine {
   /// 1 .. the machine's maximum.
   LightResult light(const LightJob& job, const Progress& progress) override;
 
+  RayResult trace(const RayJob& job, const Progress& progress) override;
+
   VoxelMemory read_voxels() override;
   LayerMemory read_layers() override { return layers_.read(grid_); }
   LightMemory read_light() override;

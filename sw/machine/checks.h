@@ -24,6 +24,10 @@ void check_packets(const MachineConfig& config, const facet::PacketStream& strea
 /// Throws Error if the source is outside the cube, or L or FA is not in 1 .. the machine's maximum.
 void check_light(const MachineConfig& config, const LightJob& job);
 
+/// Throws Error if the limits are out of range, the rays do not start in the cube or are not of
+/// unit length, or if a voxel's owner has no facet in the job.
+void check_rays(const MachineConfig& config, const RayJob& job, const VoxelMemory& voxels);
+
 /// Throws the Error of a source whose voxel belongs to facet `owner`.
 [[noreturn]] void refuse_occupied_source(const LightJob& job, std::uint32_t owner);
 

@@ -16,6 +16,7 @@
 #include "sw/base/error.h"
 #include "sw/facet/packet.h"
 #include "sw/machine/claim.h"
+#include "sw/machine/ray_job.h"
 
 namespace rc2 {
 
@@ -112,6 +113,10 @@ class Machine {
   virtual VoxelMemory read_voxels() = 0;
 
   virtual LayerMemory read_layers() = 0;
+
+  /// Follows the rays of every pixel and of what they become (thesis 1.3.2). Changes nothing that
+  /// the machine holds. Throws Error if the job is out of range, or if this machine traces no rays.
+  virtual RayResult trace(const RayJob& job, const Progress& progress);
 
   /// What the last light() since load() left behind, in the order of read_voxels(); zeros if there
   /// was none.

@@ -2,29 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <optional>
 
+#include "sw/scene/shade.h"
+
 namespace rc2::picture {
 namespace {
 
-constexpr glm::vec3 kBackground(0.010F, 0.013F, 0.022F);
-constexpr glm::vec3 kAmbient(0.12F);
 constexpr glm::vec3 kTowardsViewer(0, 0, 1);
-
-glm::vec3 reflected(const scene::Material& material, glm::vec3 normal, glm::vec3 to_lamp) {
-  const float facing = glm::dot(normal, to_lamp);
-  if (facing <= 0) return glm::vec3(0);
-  glm::vec3 share = material.diffuse * facing;
-  if (material.shininess > 0) {
-    const glm::vec3 half = glm::normalize(to_lamp + kTowardsViewer);
-    share +=
-        material.specular * std::pow(std::max(0.0F, glm::dot(normal, half)), material.shininess);
-  }
-  return share;
-}
 
 }  // namespace
 
@@ -43,7 +30,7 @@ Image render(int n, const VoxelMemory& voxels, const std::vector<Lamp>& lamps,
   Image image;
   image.n = n;
   const std::size_t pixels = static_cast<std::size_t>(n) * static_cast<std::size_t>(n);
-  image.colour.assign(pixels, kBackground);
+  image.colour.assign(pixels, scene::kBackground);
   image.depth.assign(pixels, std::numeric_limits<float>::infinity());
   image.normal.assign(pixels, glm::vec3(0));
   image.facet.assign(pixels, Image::kNoFacet);
@@ -69,15 +56,14 @@ Image render(int n, const VoxelMemory& voxels, const std::vector<Lamp>& lamps,
     const scene::Material& material = materials[facet.material];
     const glm::vec3 normal = facet.normal.z < 0 ? -facet.normal : facet.normal;
 
-    glm::vec3 colour = material.emission + material.diffuse * kAmbient;
+    glm::vec3 colour = scene::own_light(material);
     for (std::size_t k = 0; k < lamps.size(); ++k) {
       const std::uint32_t arrived = lamps[k].arrived[*foremost[pixel]];
       image.lights[k][pixel] = arrived;
       if (arrived == 0) continue;
       const glm::vec3 to_lamp(lamps[k].voxel - voxel.at);
-      const float relative_distance = glm::length(to_lamp) / static_cast<float>(n);
-      colour += reflected(material, normal, glm::normalize(to_lamp)) * lamps[k].colour /
-                (1 + relative_distance * relative_distance);
+      colour += scene::thrown_back(material, normal, kTowardsViewer, glm::normalize(to_lamp)) *
+                scene::faded(lamps[k].colour, glm::length(to_lamp), n);
     }
     image.colour[pixel] = colour;
     image.depth[pixel] = static_cast<float>(n) - 0.5F - static_cast<float>(voxel.at.z);

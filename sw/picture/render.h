@@ -18,12 +18,10 @@ struct Lamp {
   LightMemory arrived;
 };
 
-/// Shades the foremost voxel of each column, seen along -z from z = +infinity (thesis 1.1):
-/// emission + Ka Ia + sum of (Kd N.L + Ks (N.H)^m) E over the lamps that reach the voxel, where
-/// Ka = Kd, H is Blinn's half vector, and E fades gently with the distance, which gives shape to
-/// flat walls: E = colour / (1 + (distance/n)^2), the same picture at every n.
+/// Shades the foremost voxel of each column, seen along -z from z = +infinity, by
+/// sw/scene/shade.h and the lamps that reach the voxel.
 /// A normal that points away from the viewer is turned round, so that single sheets have two
-/// sides. A material of shininess 0 has no highlight.
+/// sides.
 /// Throws Error if voxels, lamps, facets and materials do not belong together.
 Image render(int n, const VoxelMemory& voxels, const std::vector<Lamp>& lamps,
              const std::vector<facet::FacetInfo>& facets,

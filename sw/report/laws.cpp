@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <map>
 #include <numeric>
 #include <stdexcept>
 #include <tuple>
@@ -61,6 +62,33 @@ void check_light(const LightResult& result, const LightMemory& counts, const Lig
                     "{} were absorbed",
                     place(job.source), counted, targets.absorbed));
   }
+}
+
+void check_rays(const RayResult& result) {
+  const RayCounts& counts = result.counts;
+  const auto ended = static_cast<std::int64_t>(result.hits.size());
+  if (counts.total() != counts.hits + counts.escaped || counts.total() != ended) {
+    throw std::logic_error(
+        fmt::format("rays are lost: {} issued, {} have hit, {} have escaped, {} came home",
+                    counts.total(), counts.hits, counts.escaped, ended));
+  }
+  std::array<std::int64_t, rays::kMaxDepth + 1> seen{};
+  std::map<std::tuple<int, int, int>, int> left;  // of the weight, by pixel and node
+  for (const RayHit& hit : result.hits) {
+    const rays::Ray& ray = hit.ray;
+    const auto [at, is_new] =
+        left.emplace(std::tuple(ray.home.x, ray.home.y, ray.node), ray.weight);
+    const auto parent = left.find({ray.home.x, ray.home.y, ray.node / 2});
+    const bool is_first = ray.node == 1;
+    if (!is_new || (!is_first && (parent == left.end() || (parent->second -= ray.weight) < 0))) {
+      throw std::logic_error(
+          fmt::format("node {} of pixel ({}, {}) is there twice, has no parent or is worth more "
+                      "than what is left of its parent's weight",
+                      ray.node, ray.home.x, ray.home.y));
+    }
+    ++seen[static_cast<std::size_t>(rays::depth_of(ray.node))];
+  }
+  if (seen != counts.issued) throw std::logic_error("rays came home that were not issued");
 }
 
 }  // namespace rc2::report

@@ -15,4 +15,8 @@ void check_voxels(const VoxelMemory& voxels, int n, std::size_t facets);
 void check_light(const LightResult& result, const LightMemory& counts, const LightJob& job,
                  std::size_t voxels);
 
+/// Conservation: every ray issued has hit a facet or left the cube, and is among the hits once; a
+/// child is as deep as it says and worth no more than its parent, two together likewise.
+void check_rays(const RayResult& result);
+
 }  // namespace rc2::report

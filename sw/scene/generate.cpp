@@ -50,7 +50,7 @@ void check_word_count(const std::vector<std::string>& words, std::size_t count,
   if (words.size() != count)
     throw Error(
         fmt::format("{}: this scene's name has {} part(s) between colons where {} are "
-                    "needed; write empty, room, ball:R, shells:PERCENT:SEED or "
+                    "needed; write empty, room, gallery, ball:R, shells:PERCENT:SEED or "
                     "dust:PERCENT:SEED",
                     name, words.size(), count));
 }
@@ -69,7 +69,8 @@ void generate_ball(Scene& scene, int n, double radius) {
 
 bool is_generated_name(const std::string& name) {
   const std::string word = split_at_colons(name).front();
-  return word == "empty" || word == "room" || word == "ball" || word == "shells" || word == "dust";
+  return word == "empty" || word == "room" || word == "gallery" || word == "ball" ||
+         word == "shells" || word == "dust";
 }
 
 Scene generate(const std::string& name, int n) {
@@ -87,6 +88,9 @@ Scene generate(const std::string& name, int n) {
   } else if (kind == "room") {
     check_word_count(words, 1, name);
     generate_room(scene, n);
+  } else if (kind == "gallery") {
+    check_word_count(words, 1, name);
+    generate_gallery(scene, n);
   } else if (kind == "ball") {
     check_word_count(words, 2, name);
     generate_ball(scene, n, parse<double>(words[1], name));
@@ -100,7 +104,7 @@ Scene generate(const std::string& name, int n) {
       generate_dust(scene, n, percent, seed);
   } else {
     throw Error(
-        fmt::format("{}: there is no generated scene '{}'; write empty, room, ball:R, "
+        fmt::format("{}: there is no generated scene '{}'; write empty, room, gallery, ball:R, "
                     "shells:PERCENT:SEED or dust:PERCENT:SEED",
                     name, kind));
   }

@@ -10,6 +10,7 @@ namespace rc2::scene {
 constexpr double kEdge = 2.0;  ///< voxels; edges of generated spheres are about this long
 
 void generate_room(Scene& scene, int n);
+void generate_gallery(Scene& scene, int n);
 
 /// Area of a polygon times |nx|+|ny|+|nz|: the armoured slab is S = |A|+|B|+|C| thick in units in
 /// which a voxel step along the normal is |N|, so a unit of area takes S/|N| voxels.

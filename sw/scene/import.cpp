@@ -95,7 +95,7 @@ Scene read_file(const std::string& path) {
   if (!std::filesystem::is_regular_file(path))
     throw Error(
         fmt::format("{}: there is no such file; check the path, or use a generated scene "
-                    "(empty, room, ball:R, shells:PERCENT:SEED, dust:PERCENT:SEED)",
+                    "(empty, room, gallery, ball:R, shells:PERCENT:SEED, dust:PERCENT:SEED)",
                     path));
   check_header(path);
   Assimp::Importer importer;

@@ -7,6 +7,15 @@
 namespace rc2::scene {
 namespace {
 
+constexpr float kHalfTurn = 3.14159265F;
+
+// Angle of view. Where Assimp finds none that it knows (Collada's yfov), it hands on its default, a
+// quarter turn's half, as if that were degrees; nobody looks through less than a degree.
+float view_angle(float angle) {
+  constexpr float kDegree = kHalfTurn / 180;
+  return angle < kDegree ? kHalfTurn / 4 : angle;
+}
+
 // Assimp ties lights and cameras to nodes by name only.
 glm::dmat4 placement(const std::vector<PlacedNode>& nodes, const aiString& name) {
   for (const PlacedNode& placed : nodes)
@@ -52,8 +61,9 @@ void import_camera(const aiScene& source, const std::vector<PlacedNode>& nodes, 
   const aiCamera& camera = *source.mCameras[0];
   const glm::dmat4 to_scene = placement(nodes, camera.mName);
   const Camera result{point(to_scene, camera.mPosition), direction(to_scene, camera.mLookAt),
-                      direction(to_scene, camera.mUp)};
-  if (is_finite(result.position) && is_finite(result.direction) && is_finite(result.up))
+                      direction(to_scene, camera.mUp), view_angle(camera.mHorizontalFOV)};
+  if (is_finite(result.position) && is_finite(result.direction) && is_finite(result.up) &&
+      result.angle < kHalfTurn)
     scene.camera = result;
 }
 

@@ -31,6 +31,8 @@ struct Light {
 
 struct Camera {
   glm::dvec3 position, direction, up;
+  double angle;  ///< from the left to the right border of the picture, radians; 45 degrees if the
+                 ///< file does not say it in a way that Assimp reads
 };
 
 /// Polygons in flat storage: polygon i has vertices first[i] .. first[i+1]-1, in order around its
@@ -59,7 +61,7 @@ struct Scene {
 /// Throws Error (file, what, why, mend), also if there is no polygon or a vertex is not finite.
 Scene read_file(const std::string& path);
 
-/// True if `name` is a generated scene: empty, room, ball:R, shells:PERCENT:SEED,
+/// True if `name` is a generated scene: empty, room, gallery, ball:R, shells:PERCENT:SEED,
 /// dust:PERCENT:SEED.
 bool is_generated_name(const std::string& name);
 
@@ -67,6 +69,9 @@ bool is_generated_name(const std::string& name);
 /// n give the same scene with every compiler. Its meshes are closed, dust excepted.
 ///  - empty            nothing
 ///  - room             a closed room with furniture, three balls and a light under the ceiling
+///  - gallery          a tiled room with a mirror on its wall, a silver and a glass ball, two
+///  lights
+///                     and a camera
 ///  - ball:R           a sphere of radius R voxels (0 < R <= n/2) in the middle
 ///  - shells:P:SEED    spheres and boxes whose armoured voxels are about P % of the cube (n >= 4)
 ///  - dust:P:SEED      P % of the voxels, each by a facet that occupies it alone if f >= 1

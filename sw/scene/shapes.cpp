@@ -95,6 +95,22 @@ void add_box(Scene& scene, const Box& box, std::uint32_t material, bool inwards)
   }
 }
 
+void add_tile(Scene& scene, const glm::dvec2& low_and_size, const Tile& tile,
+              std::uint32_t material) {
+  const auto corner = [&](int u, int v) {
+    glm::dvec3 share;
+    share[tile.axis] = tile.side;
+    share[(tile.axis + 1) % 3] = static_cast<double>(tile.u + u) / tile.parts;
+    share[(tile.axis + 2) % 3] = static_cast<double>(tile.v + v) / tile.parts;
+    return on_grid(low_and_size.x + low_and_size.y * share);
+  };
+  // As in add_box, u then v is counter-clockwise seen from the + side.
+  if (tile.side == 0)
+    scene.add({corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)}, material);
+  else
+    scene.add({corner(0, 0), corner(0, 1), corner(1, 1), corner(1, 0)}, material);
+}
+
 void add_sphere(Scene& scene, const glm::dvec3& centre, double radius, double edge,
                 std::uint32_t material, int max_level) {
   std::vector<Triangle> faces = icosahedron();

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
 
 #include "sw/scene/random.h"
 #include "sw/scene/scene.h"
@@ -17,6 +18,18 @@ struct Box {
 
 /// Adds the six sides of a box as quads; inwards turns them to face the middle.
 void add_box(Scene& scene, const Box& box, std::uint32_t material, bool inwards = false);
+
+/// One of parts * parts squares of a side of a cube that is seen from within.
+struct Tile {
+  int axis, side;  ///< of the cube: axis 0 .. 2, side 0 or 1 along it
+  int u, v;        ///< place along the next two axes, 0 .. parts-1
+  int parts;
+};
+
+/// Adds a tile of the cube whose low corner is `low` in every axis. Tiles share their corners, so
+/// all of a cube's make a closed surface.
+void add_tile(Scene& scene, const glm::dvec2& low_and_size, const Tile& tile,
+              std::uint32_t material);
 
 constexpr int kMaxSphereLevel = 5;  ///< 20 * 4^5 = 20480 triangles
 

@@ -12,6 +12,7 @@
 
 #include "sw/base/config.h"
 #include "sw/facet/opposed.h"
+#include "sw/facet/optics.h"
 #include "sw/machine/checks.h"
 #include "sw/machine/claim.h"
 #include "sw/scene/random.h"
@@ -390,6 +391,39 @@ TEST(Layers, ARoomIsFullOfAirAndWhatIsInItIsSolid) {
   EXPECT_EQ(set.counts.rooms, 1);
   EXPECT_EQ(set.counts.objects_closed, 3);
   EXPECT_EQ(difference(Machine(set.packets, n).inside, enclosed(things, n, 4)), 0);
+}
+
+TEST(Layers, RaysAreToldWhatAFacetBelongsTo) {
+  Scene scene = empty_scene();
+  add_box(scene, {3, 3, 3}, {9, 9, 9});
+  add_box(scene, glm::dvec3(1), glm::dvec3(22), true);
+  scene.add({{12, 12, 12}, {18, 12, 12}, {12, 18, 12}}, 0);
+  const FacetSet set = build_layers(scene, 24, 4);
+  ASSERT_EQ(set.facets.size(), 13U);
+  for (const FacetInfo& facet : set.facets)
+    EXPECT_EQ(facet.body, facet.polygon < 6    ? rays::Body::solid
+                          : facet.polygon < 12 ? rays::Body::room
+                                               : rays::Body::sheet);
+}
+
+TEST(Optics, RoundsNormalsAndShares) {
+  EXPECT_EQ(slope_form({0, 0, -7}), glm::ivec3(0, 0, -rays::kNormalOne));
+  EXPECT_EQ(slope_form({-3, 3, 1}), glm::ivec3(-1024, 1024, 341));
+  EXPECT_EQ(slope_form({2048, 1, -3}), glm::ivec3(1024, 1, -1));
+  FacetInfo facet{{}, 0, {{0, 5, 0}, 0}};
+  facet.body = rays::Body::room;
+  scene::Material material;
+  material.mirror = 0.75F;
+  material.transparency = 0.5F;
+  material.refractive_index = 1.5F;
+  const rays::Facet found = find_optics({facet}, {material}).front();
+  EXPECT_EQ(found.mirror, 192);
+  EXPECT_EQ(found.clear, 64) << "there is no more left";
+  EXPECT_EQ(found.enter, 2731);
+  EXPECT_EQ(found.leave, 6144);
+  EXPECT_EQ(found.body, rays::Body::room);
+  material.refractive_index = 1e9F;
+  EXPECT_EQ(find_optics({facet}, {material}).front().leave, rays::kMaxIndex * rays::kIndexOne);
 }
 
 TEST(Layers, ASolidMayReachTheBorderOfTheCube) {

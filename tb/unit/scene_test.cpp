@@ -153,6 +153,7 @@ TEST(ReadFile, PlacesCameraAndLights) {
   const Scene camera = read_file((kModels / "NFF/NFF/WithCamera.nff").string());
   ASSERT_TRUE(camera.camera.has_value());
   EXPECT_NEAR(glm::distance(camera.camera->position, {0, 3, 10}), 0.0, 1e-6);
+  EXPECT_GT(camera.camera->angle, 0.1);
 
   // One sun, one ambient light and three with a place.
   const Scene lights = read_file((kModels / "Collada/lights.dae").string());
@@ -322,7 +323,8 @@ TEST(DefaultScene, IsWhatTheTourNeeds) {
   ASSERT_EQ(scene.lights.size(), 2U);
   EXPECT_GT(scene.lights[0].colour.x, scene.lights[0].colour.z) << "warm";
   EXPECT_LT(scene.lights[1].colour.x, scene.lights[1].colour.z) << "cool";
-  EXPECT_TRUE(scene.camera.has_value());
+  ASSERT_TRUE(scene.camera.has_value());
+  EXPECT_NEAR(scene.camera->angle, std::acos(-1.0) / 4, 1e-5) << "Assimp does not read yfov";
   float mirror = 0.0F, transparency = 0.0F;
   for (const std::uint32_t material : scene.material) {
     mirror = std::max(mirror, scene.materials[material].mirror);
@@ -442,7 +444,7 @@ TEST(FitToCube, MovesLightsAndCameraAlong) {
     Scene scene;
     scene.add({{0, 0, 0}, {4, 0, 0}, {4, 2, 0}}, 0);
     scene.lights.push_back({{2, 1, 0}, {}});
-    scene.camera = Camera{{2, 1, 8}, {0, 0, -1}, {0, 1, 0}};
+    scene.camera = Camera{{2, 1, 8}, {0, 0, -1}, {0, 1, 0}, 1};
     fit_to_cube(scene, n);
     const double low = n < 4 ? 0.0 : 1.0, middle = 0.5 * (n - 1);
     EXPECT_NEAR(scene.vertices[0].x, low, 1e-12);

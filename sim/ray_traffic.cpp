@@ -1,0 +1,146 @@
+// How long the network takes to trace rays, and what holds it up (docs/render.md).
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "sim/commands.h"
+#include "sim/job.h"
+#include "sim/memory.h"
+#include "sim/outputs.h"
+#include "sim/progress_bar.h"
+#include "sim/render_job.h"
+#include "sw/base/replace_file.h"
+#include "sw/cycle/cycle_machine.h"
+#include "sw/facet/optics.h"
+#include "sw/report/laws.h"
+
+namespace rc2 {
+namespace {
+
+struct RayTrafficOptions {
+  std::vector<std::string> scenes;
+  std::vector<int> sides = {32, 64};
+  std::vector<int> depths = {1, 4};
+  std::vector<int> queues = {1, 2, 4};
+  std::string view = "front";
+  bool all_mirrors = false;
+  std::string out;
+};
+
+struct Row {
+  std::string scene;
+  int n, depth, queue;
+  RayCounts counts;
+  RayTraffic traffic;
+};
+
+void measure(const std::string& name, int n, const RayTrafficOptions& options, ProgressBar& bar,
+             std::vector<Row>& rows) {
+  SceneOptions scene;
+  scene.scene = name;
+  scene.n = n;
+  scene.fraction_bits = kRenderFraction;
+  const Job job = prepare(scene, true);
+  MachineConfig config;
+  config.n = n;
+  config.fraction_bits = kRenderFraction;
+  config.feeders = default_feeders(n);
+  cycle::CycleMachine machine(config);
+  const std::string title = std::filesystem::path(name).filename().string();
+  machine.load(job.facets.packets, bar.step(fmt::format("{}, n = {}: loading", title, n)));
+  std::vector<rays::Facet> optics = facet::find_optics(job.facets.facets, job.scene.materials);
+  for (rays::Facet& facet : optics) {
+    if (!options.all_mirrors) break;
+    facet.mirror = rays::kShareOne;
+    facet.clear = 0;
+  }
+  const std::vector<RayStart> starts = ray_starts(sights_of(job.scene, options.view, n), n);
+  for (const int depth : options.depths) {
+    for (const int queue : options.queues) {
+      const RayJob rays{{depth, kDefaultLeastWeight},
+                        &optics,
+                        options.view == "front" ? nullptr : &starts,
+                        queue};
+      const RayResult result = machine.trace(
+          rays,
+          bar.step(fmt::format("{}, n = {}, depth {}, queues of {}", title, n, depth, queue)));
+      report::check_rays(result);
+      rows.push_back({title, n, depth, queue, result.counts, result.traffic});
+    }
+  }
+}
+
+double ratio(std::int64_t a, std::int64_t b) {
+  return b == 0 ? 0 : static_cast<double>(a) / static_cast<double>(b);
+}
+
+void print(const std::vector<Row>& rows) {
+  fmt::print("{:<16}{:>5}{:>6}{:>6}{:>9}{:>9}{:>9}{:>9}{:>8}{:>10}{:>9}{:>7}\n", "scene", "n",
+             "depth", "queue", "rays", "busiest", "latency", "T", "T/max", "waits/hop", "again %",
+             "stack");
+  for (const Row& row : rows) {
+    const RayTraffic& of = row.traffic;
+    fmt::print("{:<16}{:>5}{:>6}{:>6}{:>9}{:>9}{:>9}{:>9}{:>8.2f}{:>10.2f}{:>9.2f}{:>7}\n",
+               row.scene, row.n, row.depth, row.queue, row.counts.total(), of.busiest, of.latency,
+               of.cycles, ratio(of.cycles, std::max(of.busiest, of.latency)),
+               ratio(of.waits, of.hops), 100 * ratio(of.sent_again, row.counts.total()),
+               of.max_stack);
+  }
+}
+
+std::string to_csv(const std::vector<Row>& rows) {
+  std::string csv =
+      "scene,n,depth,queue,rays,probes,busiest,latency,T,hops,waits,run_on,sent_again,max_stack\n";
+  for (const Row& row : rows) {
+    const RayTraffic& of = row.traffic;
+    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", row.scene, row.n, row.depth,
+                       row.queue, row.counts.total(), row.counts.probes, of.busiest, of.latency,
+                       of.cycles, of.hops, of.waits, of.run_on, of.sent_again, of.max_stack);
+  }
+  return csv;
+}
+
+ExitCode measure_ray_traffic(const RayTrafficOptions& options) {
+  Outputs outputs;
+  if (!options.out.empty()) outputs.add_file(options.out);
+  ProgressBar bar;
+  std::vector<Row> rows;
+  for (const std::string& scene : options.scenes)
+    for (const int n : options.sides)
+      within_memory(n, [&] { measure(scene, n, options, bar, rows); });
+  bar.wipe();
+  print(rows);
+  if (!options.out.empty()) replace_file(options.out, to_csv(rows));
+  outputs.keep();
+  return kDone;
+}
+
+}  // namespace
+
+void declare_ray_traffic(CLI::App& program, ExitCode& exit_code) {
+  auto options = std::make_shared<RayTrafficOptions>();
+  auto* command = program.add_subcommand(
+      "ray-traffic", "Cycles that the cycle model takes to trace rays, and what holds them up");
+  command
+      ->add_option("SCENE", options->scenes,
+                   "Files that Assimp reads, or generated scenes: those of run")
+      ->required();
+  const auto add_list = [&](const char* name, std::vector<int>& list, int low, int high,
+                            const char* what) {
+    command->add_option(name, list, what)
+        ->delimiter(',')
+        ->check(CLI::Range(low, high))
+        ->capture_default_str();
+  };
+  add_list("--n", options->sides, 8, kMaxSide, "Sides of the cube, in voxels");
+  add_list("--depth", options->depths, 0, rays::kMaxDepth, "Bounces");
+  add_list("--queue", options->queues, 1, 1024, "Places of each queue");
+  declare_view(*command, options->view);
+  command->add_flag("--all-mirrors", options->all_mirrors, "Make every facet a perfect mirror");
+  command->add_option("--out", options->out, "Write the table to this CSV file")
+      ->type_name("FILE.csv");
+  command->callback([options, &exit_code] { exit_code = measure_ray_traffic(*options); });
+}
+
+}  // namespace rc2

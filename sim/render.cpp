@@ -1,0 +1,176 @@
+// Pictures by rays: a scene into a machine, light into the scene, rays through both.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <memory>
+
+#include "sim/commands.h"
+#include "sim/drive.h"
+#include "sim/machines.h"
+#include "sim/memory.h"
+#include "sim/outputs.h"
+#include "sim/render_job.h"
+#include "sim/render_report.h"
+#include "sw/base/replace_file.h"
+#include "sw/facet/optics.h"
+#include "sw/picture/compose.h"
+#include "sw/picture/exr.h"
+#include "sw/picture/png.h"
+#include "sw/picture/raster.h"
+#include "sw/report/laws.h"
+
+namespace rc2 {
+namespace {
+
+struct RenderOptions : SceneOptions {
+  std::vector<std::string> lights;
+  std::string view = "front";
+  int depth = 4;
+  double least_weight = 0.01;
+  int queue = 2;
+  bool progressive = false;
+  std::string out = "out";
+};
+
+void check(RenderOptions& options) {
+  check_options(options);
+  if (!(options.least_weight >= 0 && options.least_weight <= 1))
+    throw Error(
+        fmt::format("--least-weight {} is out of range; choose 0 to 1", options.least_weight));
+}
+
+class Renderer {
+ public:
+  Renderer(const RenderOptions& options, Outputs& outputs) : options_(options), outputs_(outputs) {}
+
+  ExitCode render() {
+    const Job job = prepare(options_, true);
+    // Asked for before the long work: it may be refused.
+    const std::vector<Sight> sights = sights_of(job.scene, options_.view, options_.n);
+    Lamps lamps = choose_lamps(options_.lights, job.scene, options_.n);
+    outputs_.add_folder(options_.out);
+    MachineConfig config{options_.n, options_.fraction_bits, 2 * options_.n, 1,
+                         options_.feeder_count()};
+    config.max_fa = kFa;
+    const auto machine = make_machine(options_.machine, config);
+    Drive drive(*machine, options_.machine, bar_);
+    drive.load(job.facets);
+    place_lamps(lamps, drive.memories().voxels, options_.n);
+
+    const std::vector<rays::Facet> optics =
+        facet::find_optics(job.facets.facets, job.scene.materials);
+    const std::vector<RayStart> starts = ray_starts(sights, options_.n);
+    const rays::Limits limits{
+        options_.depth, static_cast<int>(std::lround(options_.least_weight * rays::kWeightOne))};
+    const RayJob rays{limits, &optics, options_.view == "front" ? nullptr : &starts,
+                      options_.queue};
+    const RayResult result = drive.trace(rays);
+    const picture::Traced traced{options_.n, drive.memories().voxels, job.facets.facets,
+                                 job.scene.materials, result.hits};
+    if (options_.progressive) {
+      const std::vector<LightMemory> none(lamps.list.size());
+      write("0-loaded", picture::compose(traced, lit_lamps(lamps.list, none), 0));
+    }
+    const LightRule rule =
+        machine->config().accurate_light ? LightRule::accurate : LightRule::thesis;
+    drive.light(lamps.list, 2 * options_.n, kFa, rule);
+    const std::vector<picture::Lamp> lit = lit_lamps(lamps.list, drive.memories().lights);
+    for (int depth = 0; options_.progressive && depth < options_.depth; ++depth)
+      write(fmt::format("{}-depth-{}", depth + 1, depth), picture::compose(traced, lit, depth));
+    write("picture", picture::compose(traced, lit, options_.depth));
+    const bool agrees =
+        options_.machine == kReference || golden_hits(job, config, rays) == result.hits;
+    write_report(job, lamps, result, rule, agrees);
+    if (agrees) return kDone;
+    fmt::print(stderr, "rc2: the hits of {} and {} differ; see the report\n", options_.machine,
+               kReference);
+    return kDisagreement;
+  }
+
+ private:
+  static constexpr int kFa = 16;
+  static constexpr const char* kReference = "golden";
+
+  std::vector<RayHit> golden_hits(const Job& job, const MachineConfig& config, const RayJob& rays) {
+    const auto golden = make_machine(kReference, config);
+    Drive drive(*golden, kReference, bar_);
+    drive.load(job.facets);
+    return drive.trace(rays).hits;
+  }
+
+  void write(const std::string& name, const picture::Image& image) {
+    const std::string path = (std::filesystem::path(options_.out) / name).string();
+    picture::write_exr(path + ".exr", image);
+    picture::write_png(path + ".png", picture::develop(image));
+    written_.push_back(path + ".exr");
+    written_.push_back(path + ".png");
+  }
+
+  void write_report(const Job& job, const Lamps& lamps, const RayResult& result, LightRule rule,
+                    bool agrees) {
+    RenderReport report;
+    report.scene = options_.scene;
+    report.machine = options_.machine;
+    report.view = options_.view;
+    report.has_unused_camera = options_.view == "front" && job.scene.camera;
+    report.light_rule = to_string(rule);
+    report.n = options_.n;
+    report.depth = options_.depth;
+    report.least_weight = options_.least_weight;
+    report.queue = options_.queue;
+    report.facets = job.facets.counts.loaded;
+    report.lights = static_cast<std::int64_t>(lamps.list.size());
+    report.result = &result;
+    report.agrees = agrees;
+    const std::string path = (std::filesystem::path(options_.out) / "report.json").string();
+    written_.push_back(path);
+    report.written = written_;
+    replace_file(path, to_json(report));
+    fmt::print("{}", to_text(report));
+  }
+
+  const RenderOptions& options_;
+  Outputs& outputs_;
+  ProgressBar bar_;
+  std::vector<std::string> written_;
+};
+
+}  // namespace
+
+void declare_render(CLI::App& program, ExitCode& exit_code) {
+  auto options = std::make_shared<RenderOptions>();
+  options->n = 128;
+  options->fraction_bits = kRenderFraction;
+  auto* command = program.add_subcommand(
+      "render", "Loads a scene, lights it, and follows reflected and refracted rays");
+  declare_scene_options(*command, *options, "golden");
+  declare_lights(*command, options->lights);
+  declare_view(*command, options->view);
+  command->add_option("--depth", options->depth, "Bounces of a ray, at most")
+      ->check(CLI::Range(0, rays::kMaxDepth))
+      ->capture_default_str();
+  command
+      ->add_option("--least-weight", options->least_weight,
+                   "Share of its pixel that a ray must be worth to be followed, 0 to 1")
+      ->capture_default_str();
+  command->add_option("--queue", options->queue, "Places of each queue of the network (cycle)")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command->add_flag("--progressive", options->progressive,
+                    "Write a picture after loading, with light, and after each bounce");
+  command->add_option("--out", options->out, "Folder of the pictures and report.json")
+      ->type_name("DIR")
+      ->capture_default_str();
+  command->callback([options, &exit_code] {
+    exit_code = within_memory(options->n, [&] {
+      check(*options);
+      Outputs outputs;
+      const ExitCode code = Renderer(*options, outputs).render();
+      outputs.keep();
+      return code;
+    });
+  });
+}
+
+}  // namespace rc2

@@ -1,0 +1,224 @@
+// How far what the machine's rays see is from the continuous scene (docs/render.md).
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "sim/bounce.h"
+#include "sim/commands.h"
+#include "sim/drive.h"
+#include "sim/job.h"
+#include "sim/memory.h"
+#include "sim/outputs.h"
+#include "sim/render_job.h"
+#include "sw/base/replace_file.h"
+#include "sw/facet/optics.h"
+#include "sw/golden/golden_machine.h"
+#include "sw/picture/compose.h"
+#include "sw/picture/difference.h"
+#include "sw/truth/whitted.h"
+
+namespace rc2 {
+namespace {
+
+struct RenderErrorOptions {
+  std::vector<std::string> scenes;
+  std::vector<int> sides = {32, 64, 128};
+  std::vector<int> depths = {0, 1, 4};
+  std::string view = "front";
+  std::string out;
+};
+
+// A picture of the machine against the true one.
+struct Compared {
+  int depth;
+  bool has_shadows;  // by the machine's light; else lamps shine everywhere, in truth too
+  picture::Difference difference;
+};
+
+struct Row {
+  std::string scene;
+  int n = 0;
+  Bounce bounce;
+  std::vector<Compared> pictures;
+};
+
+class Bench {
+ public:
+  Bench(const std::string& name, int n, const RenderErrorOptions& options, ProgressBar& bar)
+      : n_(n),
+        options_(options),
+        job_(prepare(scene_options(name, n), true)),
+        machine_(machine_config(n)),
+        drive_(machine_, "golden", bar),
+        bodies_(bodies_of(job_)),
+        truth_(job_.scene, bodies_, n) {
+    drive_.load(job_.facets);
+    optics_ = facet::find_optics(job_.facets.facets, job_.scene.materials);
+    sights_ = sights_of(job_.scene, options.view, n);
+  }
+
+  Row measure(const std::string& title) {
+    Row row{title, n_, measure_bounce(truth_, job_.scene, optics_, machine_), {}};
+    compare_pictures(row);
+    return row;
+  }
+
+ private:
+  static SceneOptions scene_options(const std::string& name, int n) {
+    SceneOptions options;
+    options.scene = name;
+    options.n = n;
+    options.fraction_bits = kRenderFraction;
+    return options;
+  }
+
+  static MachineConfig machine_config(int n) {
+    MachineConfig config;
+    config.n = n;
+    config.fraction_bits = kRenderFraction;
+    config.max_distance = 2 * n;
+    return config;
+  }
+
+  void compare_pictures(Row& row) {
+    Lamps lamps = choose_lamps({}, job_.scene, n_);
+    place_lamps(lamps, drive_.memories().voxels, n_);
+    drive_.light(lamps.list, 2 * n_, 1, LightRule::accurate);
+    const int deepest = *std::max_element(options_.depths.begin(), options_.depths.end());
+    const std::vector<RayStart> starts = ray_starts(sights_, n_);
+    const RayResult result =
+        machine_.trace({{deepest, kDefaultLeastWeight}, &optics_, &starts}, {});
+    for (const bool has_shadows : {false, true}) {
+      const std::vector<picture::Lamp> lit =
+          lit_lamps(lamps.list, has_shadows ? drive_.memories().lights
+                                            : std::vector<LightMemory>(lamps.list.size()));
+      for (const int depth : options_.depths) {
+        const picture::Image image = picture::compose(
+            {n_, drive_.memories().voxels, job_.facets.facets, job_.scene.materials, result.hits},
+            lit, depth);
+        row.pictures.push_back(
+            {depth, has_shadows,
+             picture::difference(image, true_picture(lamps, depth, has_shadows))});
+      }
+    }
+  }
+
+  picture::Image true_picture(const Lamps& lamps, int depth, bool has_shadows) const {
+    std::vector<truth::Lamp> at;
+    for (const Lamp& lamp : lamps.list) at.push_back({lamp.voxel, lamp.colour, has_shadows});
+    picture::Image image;
+    image.n = n_;
+    image.colour.resize(sights_.size());
+    for (int y = 0; y < n_; ++y) {
+      for (int x = 0; x < n_; ++x) {
+        const Sight& sight = sights_[static_cast<std::size_t>(y * n_ + x)];
+        image.colour[image.pixel(x, y)] = truth_.colour(sight.from, sight.direction, at, depth);
+      }
+    }
+    return image;
+  }
+
+  int n_;
+  const RenderErrorOptions& options_;
+  Job job_;
+  golden::GoldenMachine machine_;
+  Drive drive_;
+  std::vector<rays::Body> bodies_;
+  truth::Whitted truth_;
+  std::vector<rays::Facet> optics_;
+  std::vector<Sight> sights_;
+};
+
+void measure(const std::string& name, int n, const RenderErrorOptions& options, ProgressBar& bar,
+             std::vector<Row>& rows) {
+  rows.push_back(
+      Bench(name, n, options, bar).measure(std::filesystem::path(name).filename().string()));
+}
+
+double percent(std::int64_t part, std::int64_t whole) {
+  return whole == 0 ? 0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+}
+
+// Of the hits that are not gross.
+double mean_distance(const Bounce& bounce) {
+  const std::int64_t good = bounce.rays - bounce.gross;
+  return good == 0 ? 0 : bounce.distance / static_cast<double>(good);
+}
+
+void print(const std::vector<Row>& rows) {
+  fmt::print("{:<24}{:>5}{:>8}{:>10}{:>10}{:>10}{:>10}\n", "scene", "n", "rays", "> 2 vx %",
+             "early %", "mean vx", "1 deg %");
+  for (const Row& row : rows) {
+    const Bounce& bounce = row.bounce;
+    fmt::print("{:<24}{:>5}{:>8}{:>10.2f}{:>10.2f}{:>10.4f}{:>10.2f}\n", row.scene, row.n,
+               bounce.rays, percent(bounce.gross, bounce.rays), percent(bounce.early, bounce.rays),
+               mean_distance(bounce), percent(bounce.straight, bounce.rays));
+  }
+  fmt::print("\n{:<24}{:>5}{:>7}{:>9}{:>10}{:>10}{:>10}\n", "scene", "n", "depth", "shadows",
+             "wrong %", "RMSE", "FLIP");
+  for (const Row& row : rows)
+    for (const auto& [depth, has_shadows, difference] : row.pictures)
+      fmt::print("{:<24}{:>5}{:>7}{:>9}{:>10.2f}{:>10.4f}{:>10.4f}\n", row.scene, row.n, depth,
+                 has_shadows ? "yes" : "no", 100 * difference.wrong, difference.rmse,
+                 difference.flip);
+}
+
+std::string to_csv(const std::vector<Row>& rows) {
+  std::string csv =
+      "scene,n,rays,gross_percent,early_percent,mean_distance,straight_percent,depth,shadows,"
+      "wrong_percent,rmse,flip\n";
+  for (const Row& row : rows) {
+    const Bounce& bounce = row.bounce;
+    for (const auto& [depth, has_shadows, difference] : row.pictures)
+      csv += fmt::format("{},{},{},{:.4f},{:.4f},{:.5f},{:.4f},{},{},{:.4f},{:.5f},{:.5f}\n",
+                         row.scene, row.n, bounce.rays, percent(bounce.gross, bounce.rays),
+                         percent(bounce.early, bounce.rays), mean_distance(bounce),
+                         percent(bounce.straight, bounce.rays), depth, has_shadows ? 1 : 0,
+                         100 * difference.wrong, difference.rmse, difference.flip);
+  }
+  return csv;
+}
+
+ExitCode measure_render_error(const RenderErrorOptions& options) {
+  Outputs outputs;
+  if (!options.out.empty()) outputs.add_file(options.out);
+  ProgressBar bar;
+  std::vector<Row> rows;
+  for (const std::string& scene : options.scenes)
+    for (const int n : options.sides)
+      within_memory(n, [&] { measure(scene, n, options, bar, rows); });
+  bar.wipe();
+  print(rows);
+  if (!options.out.empty()) replace_file(options.out, to_csv(rows));
+  outputs.keep();
+  return kDone;
+}
+
+}  // namespace
+
+void declare_render_error(CLI::App& program, ExitCode& exit_code) {
+  auto options = std::make_shared<RenderErrorOptions>();
+  auto* command = program.add_subcommand(
+      "render-error",
+      "Compares the rays and pictures of the golden model with the continuous scene (Embree)");
+  command
+      ->add_option("SCENE", options->scenes,
+                   "Files that Assimp reads, or generated scenes: those of run")
+      ->required();
+  command->add_option("--n", options->sides, "Sides of the cube, in voxels")
+      ->delimiter(',')
+      ->check(CLI::Range(8, kMaxSide))
+      ->capture_default_str();
+  command->add_option("--depth", options->depths, "Bounces of the pictures compared")
+      ->delimiter(',')
+      ->check(CLI::Range(0, rays::kMaxDepth))
+      ->capture_default_str();
+  declare_view(*command, options->view);
+  command->add_option("--out", options->out, "Write the table to this CSV file")
+      ->type_name("FILE.csv");
+  command->callback([options, &exit_code] { exit_code = measure_render_error(*options); });
+}
+
+}  // namespace rc2

@@ -1,0 +1,42 @@
+#include "sim/render_job.h"
+
+#include <fmt/format.h>
+
+#include "sw/base/error.h"
+
+namespace rc2 {
+
+void declare_view(CLI::App& command, std::string& view) {
+  command
+      .add_option("--view", view,
+                  "front: along -z, without perspective, a pixel is a column; camera: through "
+                  "the scene's camera")
+      ->check(CLI::IsMember({"front", "camera"}))
+      ->capture_default_str();
+}
+
+std::vector<Sight> sights_of(const scene::Scene& scene, const std::string& view, int n) {
+  if (view == "front") return front_sights(n);
+  if (!scene.camera)
+    throw Error(
+        fmt::format("--view camera: {} has no camera; leave out --view, or put a perspective "
+                    "camera into the file",
+                    scene.name));
+  return camera_sights(*scene.camera, n);
+}
+
+std::vector<picture::Lamp> lit_lamps(const std::vector<Lamp>& lamps,
+                                     const std::vector<LightMemory>& arrived) {
+  std::vector<picture::Lamp> lit;
+  for (std::size_t k = 0; k < lamps.size(); ++k)
+    lit.push_back({lamps[k].voxel, lamps[k].colour, arrived[k]});
+  return lit;
+}
+
+std::vector<rays::Body> bodies_of(const Job& job) {
+  std::vector<rays::Body> bodies(job.scene.polygon_count(), rays::Body::sheet);
+  for (const facet::FacetInfo& facet : job.facets.facets) bodies[facet.polygon] = facet.body;
+  return bodies;
+}
+
+}  // namespace rc2

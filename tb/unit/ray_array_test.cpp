@@ -1,0 +1,143 @@
+// The network of rays against golden: every hit, whatever the depth of the queues, and none stuck.
+#include <gtest/gtest.h>
+
+#include "sw/cycle/cycle_machine.h"
+#include "sw/facet/layers.h"
+#include "sw/facet/optics.h"
+#include "sw/golden/golden_machine.h"
+#include "sw/report/laws.h"
+#include "tb/unit/random_rays.h"
+
+namespace rc2 {
+namespace {
+
+constexpr int kFraction = 6;
+
+class Pair {
+ public:
+  Pair(const std::string& scene, int n) : Pair(scene::generate(scene, n), n) {}
+  Pair(const scene::Scene& scene, int n)
+      : n_(n),
+        facets_(facet::build_layers(scene, n, kFraction)),
+        optics_(facet::find_optics(facets_.facets, scene.materials)),
+        golden_(config(n)),
+        cycle_(config(n)) {
+    golden_.load(facets_.packets, {});
+    cycle_.load(facets_.packets, {});
+  }
+
+  // Every facet mirrors and, if it is a solid's, half of the light goes through.
+  void make_lively() {
+    for (rays::Facet& facet : optics_) {
+      facet.mirror = facet.body == rays::Body::solid ? 128 : 256;
+      facet.clear = static_cast<std::uint16_t>(256 - facet.mirror);
+      facet.enter = rays::kIndexOne * 2 / 3;
+      facet.leave = rays::kIndexOne * 3 / 2;
+    }
+  }
+
+  RayTraffic compare(int depth, int queue, const std::vector<RayStart>* starts = nullptr) {
+    const RayJob job{{depth, 16}, &optics_, starts, queue};
+    const RayResult want = golden_.trace(job, {}), have = cycle_.trace(job, {});
+    report::check_rays(have);
+    EXPECT_EQ(want.hits.size(), have.hits.size());
+    EXPECT_TRUE(want.hits == have.hits);
+    EXPECT_TRUE(want.counts == have.counts);
+    const RayTraffic& traffic = have.traffic;
+    EXPECT_EQ(traffic.answers, have.counts.total());
+    EXPECT_GE(traffic.cycles, std::max(traffic.busiest, traffic.latency));
+    return traffic;
+  }
+
+  std::vector<RayStart> random_starts(std::uint64_t seed) const {
+    scene::Random random(seed);
+    std::vector<RayStart> starts;
+    for (int i = 0; i < n_ * n_; ++i) {
+      const rays::Ray ray = random_ray(random, n_);
+      starts.push_back({ray.origin, ray.direction});
+    }
+    return starts;
+  }
+
+ private:
+  static MachineConfig config(int n) {
+    MachineConfig config;
+    config.n = n;
+    config.fraction_bits = kFraction;
+    return config;
+  }
+
+  int n_;
+  facet::FacetSet facets_;
+  std::vector<rays::Facet> optics_;
+  golden::GoldenMachine golden_;
+  cycle::CycleMachine cycle_;
+};
+
+TEST(RayArray, HitsWhatGoldenHits) {
+  for (const char* scene : {"gallery", "room", "ball:9", "shells:10:1", "dust:3:1", "empty"}) {
+    for (const int queue : {1, 2, 4}) {
+      SCOPED_TRACE(scene);
+      Pair(scene, 24).compare(4, queue);
+    }
+  }
+}
+
+TEST(RayArray, DoesNotBlockWithQueuesOneDeepWhereEverythingMirrors) {
+  for (const char* scene : {"gallery", "shells:8:2", "dust:5:3", "room"}) {
+    for (const int n : {9, 16, 28}) {
+      Pair pair(scene, n);
+      pair.make_lively();
+      for (const int depth : {2, rays::kMaxDepth}) {
+        SCOPED_TRACE(scene + std::to_string(n));
+        pair.compare(depth, 1);
+      }
+    }
+  }
+}
+
+TEST(RayArray, DoesNotBlockWhereRaysStartAnywhereInAnyDirection) {
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    Pair pair(seed % 2 == 0 ? "gallery" : "shells:15:4", 20);
+    pair.make_lively();
+    const std::vector<RayStart> starts = pair.random_starts(seed);
+    const RayTraffic traffic = pair.compare(5, seed < 4 ? 1 : 3, &starts);
+    EXPECT_GT(traffic.run_on, 0);
+    EXPECT_GT(traffic.hops, 0);
+    // A home may have every ray of a tree to start again, and no more.
+    EXPECT_LE(traffic.max_stack, 1 << 5);
+  }
+}
+
+// All rays of a picture start in one cell: an eye in the cube.
+TEST(RayArray, DoesNotBlockWhereAllRaysStartInOneCell) {
+  const int n = 16;
+  Pair pair("gallery", n);
+  pair.make_lively();
+  std::vector<RayStart> starts = pair.random_starts(9);
+  for (RayStart& start : starts) start.origin = rays::kPlaceOne * glm::ivec3(n / 2, n / 2, 12);
+  for (const int queue : {1, 4}) {
+    const RayTraffic traffic = pair.compare(3, queue, &starts);
+    EXPECT_GE(traffic.cycles, n * n) << "a cell begins one ray at a time";
+  }
+}
+
+TEST(RayArray, DeeperQueuesAreNotSlower) {
+  Pair pair("gallery", 32);
+  const RayTraffic narrow = pair.compare(4, 1), wide = pair.compare(4, 8);
+  EXPECT_LT(wide.cycles, narrow.cycles);
+  EXPECT_LE(wide.sent_again, narrow.sent_again);
+  EXPECT_EQ(wide.latency, narrow.latency) << "what would be if nothing waited";
+  EXPECT_EQ(wide.hops, narrow.hops);
+}
+
+TEST(RayArray, NothingTravelsWhereNothingMirrors) {
+  Pair pair("ball:6", 16);
+  const RayTraffic traffic = pair.compare(4, 1);
+  EXPECT_EQ(traffic.hops, 0);
+  EXPECT_EQ(traffic.sent_again, 0);
+  EXPECT_EQ(traffic.answers, 256);
+}
+
+}  // namespace
+}  // namespace rc2
