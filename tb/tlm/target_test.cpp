@@ -211,8 +211,8 @@ TEST_F(Target, RefusesWhatCannotBe) {
     tlm_response_status status;
   };
   const Case cases[] = {
-      {kRead, 0x74, 4, ::tlm::TLM_ADDRESS_ERROR_RESPONSE},  // beyond the last register
-      {kWrite, 0x74, 4, ::tlm::TLM_ADDRESS_ERROR_RESPONSE},
+      {kRead, 0x80, 4, ::tlm::TLM_ADDRESS_ERROR_RESPONSE},  // beyond the last register
+      {kWrite, 0x80, 4, ::tlm::TLM_ADDRESS_ERROR_RESPONSE},
       {kRead, 0x100, 4, ::tlm::TLM_ADDRESS_ERROR_RESPONSE},   // between the windows
       {kRead, 0x3000, 8, ::tlm::TLM_ADDRESS_ERROR_RESPONSE},  // beyond them
       {kWrite, 0x1FE0, 64, ::tlm::TLM_ADDRESS_ERROR_RESPONSE},
