@@ -68,7 +68,7 @@ package rc2_pkg;
   localparam int unsigned LayerW = 2;
   localparam int unsigned SurfaceW = 2;
   // A component of an owner's normal, of which the largest is one; signed. With so many fraction bits
-  // the plane is right to 3/32 of a voxel at every place of the cube.
+  // the plane is right to an eighth of a voxel at every place of the cube.
   localparam int unsigned NormalFractionW = CoordW + 4;
   localparam int unsigned NormalW = NormalFractionW + 2;
   // A plane coefficient is twice a projected area: at most (N*2^F)^2, which is reached; and a sign.

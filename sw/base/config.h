@@ -86,7 +86,7 @@ constexpr int plane_bits(int n, int f) { return 2 * (coordinate_bits(n) + f) + 2
 constexpr int width_bits(int n, int f) { return plane_bits(n, f) + 1; }
 
 /// Fraction bits of the components of an owner's normal, of which the largest is one: at any light
-/// in the cube the plane is right to 3/32 of a voxel (sw/machine/plane.h).
+/// in the cube the plane is right to an eighth of a voxel (sw/machine/plane.h).
 constexpr int normal_fraction_bits(int n) { return coordinate_bits(n) + 4; }
 
 /// Signed bits of such a component.

@@ -28,7 +28,7 @@ int RayWalk::probe(const Columns& columns, const RayJob& job, RayCounts& counts)
       break;
     }
     if (columns.occupied(column, at_.z)) {
-      const std::int64_t owner = columns.owner(column, at_.z).facet;
+      const std::int64_t owner = columns.owner(column, at_.z).claim.facet;
       if (owner != before) ++facets;
       before = owner;
       if (visit_armour(columns, job, at_.z == last ? axis_ : 2, counts)) break;
@@ -51,7 +51,7 @@ int RayWalk::probe(const Columns& columns, const RayJob& job, RayCounts& counts)
 }
 
 bool RayWalk::visit_armour(const Columns& columns, const RayJob& job, int axis, RayCounts& counts) {
-  const Claim owner = columns.owner(cell_number(at_.x, at_.y, n_), at_.z);
+  const Claim owner = columns.owner(cell_number(at_.x, at_.y, n_), at_.z).claim;
   const rays::Owned owned{at_, (*job.facets)[owner.facet], owner.core, owner.gap};
   const std::int64_t way = rays::exit_distance(ray_, axis, at_[axis]);
   const auto face = rays::face(ray_, owned);

@@ -95,7 +95,8 @@ void light_lines(Page& page, const Report& report) {
   const bool clocked = report.machine != "golden";
   std::vector<std::string> head = {"light",    "voxel",   "colour", "lit voxels",
                                    "absorbed", "escaped", "skipped"};
-  if (clocked) head.insert(head.end(), {"to prepare", "cycles", "beams served", "merged", "deepest queue"});
+  if (clocked)
+    head.insert(head.end(), {"to prepare", "cycles", "beams served", "merged", "deepest queue"});
   std::vector<std::vector<std::string>> rows = {head};
   for (std::size_t k = 0; k < report.sources.size(); ++k) {
     const Source& light = report.sources[k];

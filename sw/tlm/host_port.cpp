@@ -33,7 +33,8 @@ bool HostPort::is_register(std::uint64_t address) {
 }
 
 bool HostPort::is_writable(std::uint64_t address) {
-  return address == kCommand || address == kRule || (address % 4 == 0 && address >= kSourceX && address <= kInverse);
+  return address == kCommand || address == kRule ||
+         (address % 4 == 0 && address >= kSourceX && address <= kInverse);
 }
 
 std::uint32_t HostPort::read(std::uint64_t address) {
@@ -205,11 +206,12 @@ void HostPort::answer(ReadWhat what) {
   settle();
   const MachineConfig& config = machine_.config();
   if (what == ReadWhat::counters || what == ReadWhat::ends) {
-    throw Error(fmt::format(
-        "the counters of single cells are not part of the model; read the registers {:02X}, {:02X}, "
-        "{:02X} and {:02X}, which sum them up",
-        static_cast<int>(kVisitsLow), static_cast<int>(kVisitsHigh),
-        static_cast<int>(kDeepestQueue), static_cast<int>(kAbsorbed)));
+    throw Error(
+        fmt::format("the counters of single cells are not part of the model; read the registers "
+                    "{:02X}, {:02X}, "
+                    "{:02X} and {:02X}, which sum them up",
+                    static_cast<int>(kVisitsLow), static_cast<int>(kVisitsHigh),
+                    static_cast<int>(kDeepestQueue), static_cast<int>(kAbsorbed)));
   }
   const Readback readback = what == ReadWhat::voxels   ? readback_of(config, machine_.read_voxels())
                             : what == ReadWhat::layers ? readback_of(config, machine_.read_layers())

@@ -53,7 +53,7 @@ class Fault(HostTest):
         self.assertEqual((first["what"], first["got"]), ("facet", None))
 
     def break_a_law(self, fault, says):
-        self.fail_with(BROKEN, *RUN, "--dump", "dump.csv", says=says,
+        self.fail_with(BROKEN, *RUN, "--light-rule", "thesis", "--dump", "dump.csv", says=says,
                        environment={"RC2_TEST_FAULT": fault})
         self.assertEqual(self.files(), [])
 

@@ -340,8 +340,8 @@ TEST(Refusal, OfAPacketNamesItsFacet) {
     }
     return false;
   };
-  const auto expect_limit = [&](const char* what, int bits, bool is_signed, auto change) {
-    const std::int64_t most = (std::int64_t{1} << (is_signed ? bits - 1 : bits)) - 1;
+  const auto expect_range = [&](const char* what, std::int64_t least, std::int64_t most,
+                                auto change) {
     const auto with = [&](std::int64_t value) {
       PacketHead head{7, glm::ivec3(0), glm::ivec3(0), {flat, 0}, flat, 0, 1};
       Side side{flat, 0};
@@ -350,8 +350,12 @@ TEST(Refusal, OfAPacketNamesItsFacet) {
     };
     EXPECT_FALSE(with(most)) << what;
     EXPECT_TRUE(with(most + 1)) << what;
-    EXPECT_FALSE(with(is_signed ? -most - 1 : 0)) << what;
-    EXPECT_TRUE(with(is_signed ? -most - 2 : -1)) << what;
+    EXPECT_FALSE(with(least)) << what;
+    EXPECT_TRUE(with(least - 1)) << what;
+  };
+  const auto expect_limit = [&](const char* what, int bits, bool is_signed, auto change) {
+    const std::int64_t end = std::int64_t{1} << (is_signed ? bits - 1 : bits);
+    expect_range(what, is_signed ? -end : 0, end - 1, change);
   };
   const int plane = plane_bits(n, f), offset = offset_bits(n, f);
   for (auto member : {&Linear::a, &Linear::b, &Linear::c}) {
@@ -359,12 +363,13 @@ TEST(Refusal, OfAPacketNamesItsFacet) {
                  [&](PacketHead& h, Side&, std::int64_t v) { h.slab.value.*member = v; });
     expect_limit("a side's coefficient", side_bits(n, f), true,
                  [&](PacketHead&, Side& s, std::int64_t v) { s.value.*member = v; });
-    expect_limit("a gap's coefficient", gap_value_bits(n), true,
+    const std::int64_t one = std::int64_t{1} << gap_fraction_bits(n);
+    expect_range("a gap's coefficient", -one, one,
                  [&](PacketHead& h, Side&, std::int64_t v) { h.gap.*member = v; });
   }
   expect_limit("T", offset, true, [](PacketHead& h, Side&, std::int64_t v) { h.slab.value.d = v; });
   expect_limit("Ti", offset, true, [](PacketHead&, Side& s, std::int64_t v) { s.value.d = v; });
-  expect_limit("a slab's width", plane, false,
+  expect_limit("a slab's width", width_bits(n, f), false,
                [](PacketHead& h, Side&, std::int64_t v) { h.slab.width = v; });
   expect_limit("a push", push_bits(n, f), false,
                [](PacketHead&, Side& s, std::int64_t v) { s.push = v; });

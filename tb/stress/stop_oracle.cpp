@@ -48,8 +48,9 @@ bool StopOracle::stops(const glm::ivec3& at, const glm::ivec3& light) const {
 }
 
 StopOracle::Rational StopOracle::part(std::int64_t rise) const {
-  const std::int64_t unit = std::int64_t{1} << normal_fraction_bits(n_);
-  return Rational(nearest_ties_down(Rational(rise * 4, 16) + Rational(1, 1000)), unit);
+  // A tie goes up.
+  const std::int64_t parts = nearest_ties_down(Rational(rise, 4) + Rational(1, 1000));
+  return {parts, std::int64_t{1} << normal_fraction_bits(n_)};
 }
 
 StopOracle::View StopOracle::look(const glm::ivec3& at, const Claim& owner,

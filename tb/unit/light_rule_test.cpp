@@ -137,7 +137,7 @@ TEST(AccurateLight, AConvexBodyIsLitWhereItFacesTheLight) {
   }
 }
 
-// A wall across the cube, as steep as the diagonal, and bodies behind it.
+// A wall across the cube and a body behind it.
 TEST(AccurateLight, NothingBehindAWallIsLitHoweverThin) {
   const int n = 32, fraction_bits = 6;
   scene::Random random(4);
