@@ -1,48 +1,20 @@
 #include "sw/peers/shadow_rays.h"
 
 #include <embree3/rtcore.h>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 
-#include "sw/base/error.h"
+#include "sw/truth/embree_scene.h"
 
 namespace rc2::peers {
 
-struct ShadowRays::Scene {
-  RTCDevice device;
-  RTCScene scene;
-
-  explicit Scene(const truth::Triangles& triangles) : device(rtcNewDevice("threads=1")) {
-    if (device == nullptr)
-      throw Error(fmt::format("Embree does not start (error {}); install libembree3-3 anew",
-                              static_cast<int>(rtcGetDeviceError(nullptr))));
-    scene = rtcNewScene(device);
-    RTCGeometry mesh = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* vertices = static_cast<glm::vec3*>(
-        rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                sizeof(glm::vec3), triangles.vertices.size()));
-    std::copy(triangles.vertices.begin(), triangles.vertices.end(), vertices);
-    auto* corners = static_cast<glm::uvec3*>(
-        rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                sizeof(glm::uvec3), triangles.corners.size()));
-    std::copy(triangles.corners.begin(), triangles.corners.end(), corners);
-    rtcCommitGeometry(mesh);
-    rtcAttachGeometry(scene, mesh);
-    rtcReleaseGeometry(mesh);
-    rtcCommitScene(scene);
-  }
-  ~Scene() {
-    rtcReleaseScene(scene);
-    rtcReleaseDevice(device);
-  }
-  Scene(const Scene&) = delete;
-  Scene& operator=(const Scene&) = delete;
+struct ShadowRays::Scene : truth::EmbreeScene {
+  using EmbreeScene::EmbreeScene;
 };
 
 ShadowRays::ShadowRays(const truth::Triangles& triangles)
-    : scene_(std::make_unique<Scene>(triangles)) {}
+    : scene_(std::make_unique<Scene>(triangles, RTC_SCENE_FLAG_NONE)) {}
 
 ShadowRays::~ShadowRays() = default;
 

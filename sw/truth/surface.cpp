@@ -1,7 +1,6 @@
 #include "sw/truth/surface.h"
 
 #include <embree3/rtcore.h>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -10,7 +9,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "sw/base/error.h"
+#include "sw/truth/embree_scene.h"
 
 namespace rc2::truth {
 namespace {
@@ -113,40 +112,15 @@ bool look_at_triangle(RTCPointQueryFunctionArguments* arguments) {
 
 }  // namespace
 
-struct Surface::Scene {
-  RTCDevice device;
-  RTCScene scene;
-
-  explicit Scene(const Triangles& triangles) : device(rtcNewDevice("threads=1")) {
-    if (device == nullptr)
-      throw Error(fmt::format("Embree does not start (error {}); install libembree3-3 anew",
-                              static_cast<int>(rtcGetDeviceError(nullptr))));
-    scene = rtcNewScene(device);
-    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
-    RTCGeometry mesh = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* vertices = static_cast<glm::vec3*>(
-        rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                sizeof(glm::vec3), triangles.vertices.size()));
-    std::copy(triangles.vertices.begin(), triangles.vertices.end(), vertices);
-    auto* corners = static_cast<glm::uvec3*>(
-        rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                sizeof(glm::uvec3), triangles.corners.size()));
-    std::copy(triangles.corners.begin(), triangles.corners.end(), corners);
-    rtcCommitGeometry(mesh);
-    rtcAttachGeometry(scene, mesh);
-    rtcReleaseGeometry(mesh);
-    rtcCommitScene(scene);
-  }
-  ~Scene() {
-    rtcReleaseScene(scene);
-    rtcReleaseDevice(device);
-  }
-  Scene(const Scene&) = delete;
-  Scene& operator=(const Scene&) = delete;
+struct Surface::Scene : EmbreeScene {
+  using EmbreeScene::EmbreeScene;
 };
 
 Surface::Surface(const scene::Scene& scene)
-    : triangles_(triangles_of(scene)), scene_(std::make_unique<Scene>(triangles_)) {}
+    : triangles_(triangles_of(scene)),
+      scene_(std::make_unique<Scene>(
+          triangles_, static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST |
+                                                 RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION))) {}
 
 Surface::~Surface() = default;
 

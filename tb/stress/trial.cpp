@@ -13,21 +13,20 @@
 #include "sw/machine/checks.h"
 #include "sw/report/laws.h"
 #include "tb/load/machine_check.h"
+#include "tb/stress/bodies.h"
 #include "tb/stress/light_oracle.h"
+#include "tb/stress/sources.h"
 
 namespace rc2::stress {
 namespace {
 
 using facet::Difference;
 using facet::Rule;
-using facet::Vertex;
 
 constexpr std::array kRules{Rule::armoured, Rule::naive, Rule::supercover, Rule::half,
                             Rule::blindee};
 // Golden follows every ray; of more it would take all the time.
 constexpr std::int64_t kMostGoldenTargets = 1'000'000;
-// In larger cubes the largest L would: rays come to every voxel in thousands of ways.
-constexpr int kLargestSideOfAllL = 17;
 
 struct Named {
   std::string name;
@@ -65,8 +64,9 @@ class Trial {
     for (const Named& named : machines) check_layers(*named.machine);
     const LightOracle oracle(cube_.n, voxels_, layers_, facets_.packets);
     if (is_closed_) check_inside(oracle);
-    for (const auto& [place, source] : choose_sources(oracle)) {
-      for (int i = 0; i < 3; ++i) check_light(machines, oracle, place, source, draw_distance());
+    for (const auto& [place, source] : choose_sources(oracle, cube_.n, dice_)) {
+      for (int i = 0; i < 3; ++i)
+        check_light(machines, oracle, place, source, draw_distance(cube_.n, dice_));
     }
   }
 
@@ -107,121 +107,24 @@ class Trial {
     attack_.voxels += std::int64_t{cube_.n} * cube_.n * cube_.n;
   }
 
-  // On the border a centre p stands for p + (e, e^2, e^3), e -> 0+.
-  bool is_in_body(const std::vector<Border>& body, const Vertex& centre) const {
-    return std::all_of(body.begin(), body.end(), [&](const Border& border) {
-      const Vertex outwards = facet::doubled_area(border);
-      const std::int64_t height = facet::dot(outwards, centre - border[0]);
-      return height < 0 || (height == 0 && !facet::keeps_ties(outwards));
-    });
-  }
-
-  // Of two bodies that are not the same.
-  bool share_a_facet() const {
-    for (const Body& a : bodies_)
-      for (const Body& b : bodies_) {
-        const auto is_of_a = [&](const Border& border) {
-          return std::find(a.begin(), a.end(), border) != a.end();
-        };
-        if (std::any_of(b.begin(), b.end(), is_of_a) && !std::all_of(b.begin(), b.end(), is_of_a))
-          return true;
-      }
-    return false;
-  }
-
   void check_inside(const LightOracle& oracle) {
     std::string wrong;
     glm::ivec3 at;
     for (at.z = 0; at.z < cube_.n; ++at.z)
       for (at.y = 0; at.y < cube_.n; ++at.y)
-        for (at.x = 0; at.x < cube_.n; ++at.x) {
-          const Vertex centre = Vertex(at) * cube_.one();
-          const bool is_inside = std::any_of(bodies_.begin(), bodies_.end(), [&](const Body& body) {
-            return is_in_body(body, centre);
-          });
-          if (is_inside != oracle.is_inside(at))
+        for (at.x = 0; at.x < cube_.n; ++at.x)
+          if (is_in_a_body(bodies_, cube_, at) != oracle.is_inside(at))
             wrong = fmt::format("voxel ({}, {}, {}) is {}inside a body", at.x, at.y, at.z,
-                                is_inside ? "" : "not ");
-        }
+                                oracle.is_inside(at) ? "not " : "");
     // The host takes bodies that share a facet for one, and what is in both for its outside
     // (docs/stress.md).
-    const bool is_limit = share_a_facet();
+    const bool is_limit = share_a_facet(bodies_);
     Tally& tally = findings_.at("inside of bodies",
                                 is_limit ? "some share a facet" : "apart, crossing, in each other");
     ++tally.trials;
     tally.voxels += std::int64_t{cube_.n} * cube_.n * cube_.n;
     tally.differences += wrong.empty() ? 0 : 1;
     if (!wrong.empty() && !is_limit) throw Difference(wrong);
-  }
-
-  glm::ivec3 random_voxel() {
-    const auto x = static_cast<int>(dice_.roll(0, cube_.n - 1));
-    const auto y = static_cast<int>(dice_.roll(0, cube_.n - 1));
-    return {x, y, static_cast<int>(dice_.roll(0, cube_.n - 1))};
-  }
-
-  // A random voxel with `ends` of its coordinates at an end.
-  glm::ivec3 voxel_at_border(int ends) {
-    glm::ivec3 at = random_voxel();
-    const auto first = static_cast<int>(dice_.roll(0, 2));
-    for (int i = 0; i < ends; ++i) at[(first + i) % 3] = dice_.one_in(2) ? 0 : cube_.n - 1;
-    return at;
-  }
-
-  bool is_beside_armour(const LightOracle& oracle, const glm::ivec3& at) const {
-    for (int axis = 0; axis < 3; ++axis) {
-      for (const int step : {-1, 1}) {
-        glm::ivec3 other = at;
-        other[axis] += step;
-        if (glm::clamp(other, 0, cube_.n - 1) == other && oracle.is_armoured(other)) return true;
-      }
-    }
-    return false;
-  }
-
-  std::vector<std::pair<const char*, glm::ivec3>> choose_sources(const LightOracle& oracle) {
-    std::vector<std::pair<const char*, glm::ivec3>> sources;
-    const auto choose = [&](const char* place, const auto& draw, const auto& suits) {
-      for (int tries = 0; tries < 200; ++tries) {
-        const glm::ivec3 at = draw();
-        if (oracle.is_armoured(at) || !suits(at)) continue;
-        sources.emplace_back(place, at);
-        return;
-      }
-    };
-    const auto any = [](const glm::ivec3&) { return true; };
-    choose(
-        "a corner of the cube", [&] { return voxel_at_border(3); }, any);
-    choose(
-        "an edge of the cube", [&] { return voxel_at_border(2); }, any);
-    choose(
-        "a face of the cube", [&] { return voxel_at_border(1); }, any);
-    choose(
-        "beside a facet", [&] { return random_voxel(); },
-        [&](const glm::ivec3& at) { return is_beside_armour(oracle, at); });
-    choose(
-        "inside a solid", [&] { return random_voxel(); },
-        [&](const glm::ivec3& at) { return oracle.is_inside(at); });
-    choose(
-        "anywhere", [&] { return random_voxel(); }, any);
-    return sources;
-  }
-
-  std::pair<std::string, int> draw_distance() {
-    const int n = cube_.n;
-    const std::array<std::pair<const char*, int>, 11> all{{{"1", 1},
-                                                           {"2", 2},
-                                                           {"3", 3},
-                                                           {"n - 1", n - 1},
-                                                           {"n", n},
-                                                           {"n + 1", n + 1},
-                                                           {"2n", 2 * n},
-                                                           {"4n - 1", 4 * n - 1},
-                                                           {"8n - 1", 8 * n - 1},
-                                                           {"8n", 8 * n},
-                                                           {"32767", kMaxDistance}}};
-    const std::int64_t last = n <= kLargestSideOfAllL ? all.size() - 1 : all.size() - 4;
-    return all[static_cast<std::size_t>(dice_.roll(0, last))];
   }
 
   void check_light(const std::vector<Named>& machines, const LightOracle& oracle, const char* place,
