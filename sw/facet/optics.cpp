@@ -31,8 +31,8 @@ glm::ivec3 slope_form(const Vertex& normal) {
   const std::int64_t size = std::abs(normal[dominant_axis(normal)]);
   glm::ivec3 slope;
   for (int axis = 0; axis < 3; ++axis)
-    slope[axis] = static_cast<int>(
-        floor_divide(std::int64_t{2 * rays::kNormalOne} * normal[axis] + size, 2 * size));
+    slope[axis] =
+        static_cast<int>(floor_divide(2 * (rays::kNormalOne * normal[axis]) + size, 2 * size));
   return slope;
 }
 
