@@ -58,7 +58,8 @@ void follow(const truth::Whitted& truth, const std::vector<Sight>& sights,
   const RayResult result = machine.trace({{1, 1}, &optics, &starts}, {});
   std::vector<const RayHit*> first(pixels), second(pixels);
   for (const RayHit& hit : result.hits) {
-    const auto pixel = static_cast<std::size_t>(hit.ray.home.y * n + hit.ray.home.x);
+    const auto pixel = static_cast<std::size_t>(hit.ray.home.y) * static_cast<std::size_t>(n) +
+                       static_cast<std::size_t>(hit.ray.home.x);
     (hit.ray.node == 1 ? first : second)[pixel] = &hit;
   }
   for (std::size_t i = 0; i < sights.size(); ++i)

@@ -5,27 +5,28 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <optional>
 
 #include "sw/base/error.h"
 
 namespace rc2 {
 namespace {
 
-// How far along the ray the cube is entered; infinite if it is missed.
-double entry(const Sight& sight, double low, double high) {
-  constexpr double kNever = std::numeric_limits<double>::infinity();
-  double first = 0, last = kNever;
+// How far along the ray the cube is entered, unless it is missed.
+std::optional<double> entry(const Sight& sight, double low, double high) {
+  double first = 0, last = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis) {
     const double from = sight.from[axis], speed = sight.direction[axis];
     if (speed == 0) {
-      if (from < low || from > high) return kNever;
+      if (from < low || from > high) return std::nullopt;
       continue;
     }
     const double a = (low - from) / speed, b = (high - from) / speed;
     first = std::max(first, std::min(a, b));
     last = std::min(last, std::max(a, b));
   }
-  return first <= last ? first : kNever;
+  if (first > last) return std::nullopt;
+  return first;
 }
 
 }  // namespace
@@ -61,12 +62,12 @@ std::vector<RayStart> ray_starts(const std::vector<Sight>& sights, int n) {
   const double low = -0.5, high = n - 0.5 - 1 / kOne;
   std::vector<RayStart> starts;
   for (const Sight& sight : sights) {
-    const double way = entry(sight, low, high);
-    if (std::isinf(way)) {
+    const std::optional<double> way = entry(sight, low, high);
+    if (!way) {
       starts.push_back({glm::ivec3(0), glm::ivec3(0)});
       continue;
     }
-    const glm::dvec3 place = glm::clamp(sight.from + way * sight.direction, low, high);
+    const glm::dvec3 place = glm::clamp(sight.from + *way * sight.direction, low, high);
     const double one = 1 << rays::direction_fraction(n);
     starts.push_back({glm::ivec3(glm::floor(place * kOne + 0.5)),
                       glm::ivec3(glm::floor(sight.direction * one + 0.5))});

@@ -18,7 +18,7 @@
 #include "sw/picture/exr.h"
 #include "sw/picture/png.h"
 #include "sw/picture/raster.h"
-#include "sw/report/laws.h"
+#include "sw/report/dump.h"
 
 namespace rc2 {
 namespace {
@@ -50,6 +50,7 @@ class Renderer {
     const std::vector<Sight> sights = sights_of(job.scene, options_.view, options_.n);
     Lamps lamps = choose_lamps(options_.lights, job.scene, options_.n);
     outputs_.add_folder(options_.out);
+    if (!options_.dump.empty()) outputs_.add_file(options_.dump);
     MachineConfig config{options_.n, options_.fraction_bits, 2 * options_.n, 1,
                          options_.feeder_count()};
     config.max_fa = kFa;
@@ -75,6 +76,10 @@ class Renderer {
     const LightRule rule =
         machine->config().accurate_light ? LightRule::accurate : LightRule::thesis;
     drive.light(lamps.list, 2 * options_.n, kFa, rule);
+    if (!options_.dump.empty()) {
+      replace_file(options_.dump, report::to_csv(drive.memories()));
+      written_.push_back(options_.dump);
+    }
     const std::vector<picture::Lamp> lit = lit_lamps(lamps.list, drive.memories().lights);
     for (int depth = 0; options_.progressive && depth < options_.depth; ++depth)
       write(fmt::format("{}-depth-{}", depth + 1, depth), picture::compose(traced, lit, depth));

@@ -111,9 +111,10 @@ class Bench {
     picture::Image image;
     image.n = n_;
     image.colour.resize(sights_.size());
+    std::size_t i = 0;
     for (int y = 0; y < n_; ++y) {
       for (int x = 0; x < n_; ++x) {
-        const Sight& sight = sights_[static_cast<std::size_t>(y * n_ + x)];
+        const Sight& sight = sights_[i++];
         image.colour[image.pixel(x, y)] = truth_.colour(sight.from, sight.direction, at, depth);
       }
     }

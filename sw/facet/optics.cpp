@@ -32,7 +32,7 @@ glm::ivec3 slope_form(const Vertex& normal) {
   glm::ivec3 slope;
   for (int axis = 0; axis < 3; ++axis)
     slope[axis] =
-        static_cast<int>(floor_divide(2 * rays::kNormalOne * normal[axis] + size, 2 * size));
+        static_cast<int>(floor_divide(2 * (rays::kNormalOne * normal[axis]) + size, 2 * size));
   return slope;
 }
 

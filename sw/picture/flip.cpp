@@ -63,17 +63,18 @@ struct Filter {
 
 // The border's pixels go on beyond it.
 Plane convolve(const Plane& plane, int n, const Filter& filter) {
-  Plane result(plane.size());
+  Plane result;
+  result.reserve(plane.size());
   for (int y = 0; y < n; ++y) {
     for (int x = 0; x < n; ++x) {
       glm::dvec3 sum(0);
       const glm::dvec3* weight = filter.weight.data();
       for (int v = -filter.radius; v <= filter.radius; ++v) {
-        const int row = std::clamp(y + v, 0, n - 1) * n;
+        const auto row = plane.begin() + std::ptrdiff_t{std::clamp(y + v, 0, n - 1)} * n;
         for (int u = -filter.radius; u <= filter.radius; ++u)
-          sum += *weight++ * plane[static_cast<std::size_t>(row + std::clamp(x + u, 0, n - 1))];
+          sum += *weight++ * row[std::clamp(x + u, 0, n - 1)];
       }
-      result[static_cast<std::size_t>(y * n + x)] = sum;
+      result.push_back(sum);
     }
   }
   return result;

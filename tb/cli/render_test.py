@@ -32,6 +32,14 @@ class Render(HostTest):
         pictures = {(self.folder / f"out/{stage}.png").read_bytes() for stage in stages}
         self.assertEqual(len(pictures), len(stages))
 
+    def test_dump_is_that_of_run(self):
+        self.succeed("run", "gallery", "--n", 12, "--machine", "golden", "--fraction-bits", 6, "--rule", "armoured",
+                     "--dump", "run.csv", "--out", "run")
+        report, _ = self.render("gallery", "--n", 12, "--dump", "render.csv")
+        self.assertIn("render.csv", report["files"])
+        voxels = [[row[:5] for row in self.rows(name)[1]] for name in ("run.csv", "render.csv")]
+        self.assertEqual(*voxels)
+
     def test_camera_of_the_scene(self):
         for scene in "gallery", ROOM:
             front, _ = self.render(scene, "--n", 16)

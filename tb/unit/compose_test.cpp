@@ -103,7 +103,8 @@ std::pair<Image, Image> pattern(int n) {
                             static_cast<float>(y) / static_cast<float>(n));
   Image b = a;
   const auto at = [&](int x, int y) -> glm::vec3& {
-    return b.colour[static_cast<std::size_t>(y * n + x)];
+    return b.colour[static_cast<std::size_t>(y) * static_cast<std::size_t>(n) +
+                    static_cast<std::size_t>(x)];
   };
   for (int y = 10; y < 20; ++y)
     for (int x = 12; x < 30; ++x) at(x, y).r = 0.3F;

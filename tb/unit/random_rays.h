@@ -20,7 +20,8 @@ inline glm::ivec3 random_direction(scene::Random& random, int n) {
       if (random.below(5) == 0) v[axis] = 0;
     const double length = glm::length(v);
     if (length < 0.1) continue;
-    return glm::ivec3(glm::floor(v / length * std::exp2(rays::direction_fraction(n)) + 0.5));
+    const glm::ivec3 rounded(glm::floor(v / length * std::exp2(rays::direction_fraction(n)) + 0.5));
+    return rounded;
   }
 }
 

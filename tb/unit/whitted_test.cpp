@@ -29,7 +29,8 @@ void expect_near(const glm::vec3& a, const glm::vec3& b) {
 }
 
 std::vector<Body> all(const Scene& scene, Body body) {
-  return std::vector<Body>(scene.polygon_count(), body);
+  std::vector<Body> bodies(scene.polygon_count(), body);
+  return bodies;
 }
 
 TEST(Whitted, AddsWhatAMirrorShows) {
