@@ -136,7 +136,7 @@ class Measure {
     row.light_seconds = watch.seconds();
     row.visits = result.visits;
     if (row.method != "golden") {
-      row.light_cycles = result.cycles;
+      row.light_cycles = result.prepare_cycles + result.cycles;
       row.merged = result.merged;
       row.deepest = result.max_queue;
     }

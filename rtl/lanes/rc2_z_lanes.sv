@@ -41,8 +41,8 @@ module rc2_z_lanes (
     output logic                             busy_o
 );
   localparam int unsigned MatrixW = rc2_pkg::MatrixW;
-  logic [MatrixW-1:0] up_q, down_q, passing, own, next, kept;
-  logic up_any_q, down_any_q, any, kept_any;  // whether a front has light
+  logic [MatrixW-1:0] up_q, down_q, passing, own, next;
+  logic up_any_q, down_any_q, any, next_any;  // whether a front has light
   logic stop_q, worth_q;
   logic [rc2_pkg::CoordW-1:0] z_q;
 
@@ -77,8 +77,7 @@ module rc2_z_lanes (
   );
 
   // After its last layer a front is out of the cube. A cell without light keeps its registers still.
-  assign kept = pace_i.last ? '0 : next;
-  assign kept_any = (kept != 0);
+  assign next_any = !pace_i.last && (next != 0);
 
   logic next_up;
   logic [rc2_pkg::CoordW-1:0] higher, lower;
@@ -97,13 +96,13 @@ module rc2_z_lanes (
       down_q     <= MatrixW'(source_i);
       up_any_q   <= source_i;
       down_any_q <= source_i;
-    end else if (pace_i.on && (any || kept_any)) begin
+    end else if (pace_i.on && (any || next_any)) begin
       if (pace_i.first) begin
-        up_q     <= kept;
-        up_any_q <= kept_any;
+        up_q     <= next;
+        up_any_q <= next_any;
       end else begin
-        down_q     <= kept;
-        down_any_q <= kept_any;
+        down_q     <= next;
+        down_any_q <= next_any;
       end
     end
     stop_q  <= stops_i[pace_i.next_layer];
@@ -111,8 +110,8 @@ module rc2_z_lanes (
     z_q     <= pace_i.next_layer;
   end
 
-  // Contract: a front knows whether it has light.
+  // Contract: a front that says it has light has some.
   always_ff @(posedge clk_i) begin
-    if (rst_ni) assert (up_any_q == (up_q != 0) && down_any_q == (down_q != 0));
+    if (rst_ni) assert ((!up_any_q || up_q != 0) && (!down_any_q || down_q != 0));
   end
 endmodule

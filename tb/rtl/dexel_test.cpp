@@ -94,8 +94,8 @@ TEST(Dexel, EqualsTheExactInterval) {
     head.z_span =
         static_cast<int>(dice.chance(40) ? std::min(2, 15 - head.z0) : dice.roll(0, 15 - head.z0));
     rc2::Word slab{rc2::WordKind::slab};
-    const std::int64_t steep = value(slab, format.plane);
-    const std::int64_t widest = std::min<std::int64_t>(40 * steep, (1LL << format.plane) - 1);
+    const std::int64_t steep = value(slab, format.coefficient);
+    const std::int64_t widest = std::min<std::int64_t>(40 * steep, (1LL << format.width) - 1);
     head.reach = dice.chance(50) ? widest : dice.roll(0, widest);
     Dexel dexel{facet, head.z0, {0, head.z_span}, {0, head.z_span}};
     narrow(dexel.all, slab.c, slab.d);
