@@ -116,7 +116,9 @@ class Machine {
 
   /// Follows the rays of every pixel and of what they become (thesis 1.3.2). Changes nothing that
   /// the machine holds. Throws Error if the job is out of range, or if this machine traces no rays.
-  virtual RayResult trace(const RayJob& job, const Progress& progress);
+  virtual RayResult trace(const RayJob& /*job*/, const Progress& /*progress*/) {
+    throw Error("this machine traces no rays yet; use --machine golden or cycle");
+  }
 
   /// What the last light() since load() left behind, in the order of read_voxels(); zeros if there
   /// was none.

@@ -35,10 +35,6 @@ void check_start(const RayStart& start, std::size_t pixel, int n) {
 
 }  // namespace
 
-RayResult Machine::trace(const RayJob& /*job*/, const Progress& /*progress*/) {
-  throw Error("this machine traces no rays yet; use --machine golden or cycle");
-}
-
 bool operator==(const RayHit& a, const RayHit& b) {
   const auto key = [](const RayHit& hit) {
     const rays::Ray& ray = hit.ray;

@@ -64,7 +64,4 @@ constexpr int height_bits(int n) {
   return coordinate_bits(n) + kPlaceFraction + kNormalFraction + 3;
 }
 
-/// Bits of the quotient of a hit: how far it is, in 1/128 voxel, at most the cube's diagonal.
-constexpr int quotient_bits(int n) { return coordinate_bits(n) + 1 + 7; }
-
 }  // namespace rc2::rays

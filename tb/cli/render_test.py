@@ -3,7 +3,7 @@
 import csv
 import unittest
 
-from host import ROOM, HostTest, exr_channels, png_size
+from host import ROOM, SANITIZED, HostTest, exr_channels, png_size
 
 
 class Render(HostTest):
@@ -86,6 +86,9 @@ class Render(HostTest):
         self.refuse("ray-traffic", "ball:4", "--n", 16, "--queue", 0, says="--queue")
         self.refuse("ray-traffic", "ball:4", "--n", 16, "--view", "camera", says="has no camera")
         self.refuse("render", "ball:4", "--n", 16, "--queue", 0, says="--queue")
+        if not SANITIZED:
+            self.refuse("render", "ball:1.5", "--n", 4, "--fraction-bits", 4, "--machine", "rtl",
+                        says="traces no rays")
         self.refuse("render", "ball:4", "--n", 16, "--view", "camera", says="has no camera")
         self.refuse("render", "ball:4", "--n", 16, "--depth", 8, says="--depth")
         self.refuse("render", "ball:4", "--n", 16, "--least-weight", "1.5", says="--least-weight 1.5")

@@ -164,6 +164,7 @@ TEST(Format, IsAsWideAsTheTableSays) {
   EXPECT_EQ(decision_bits(128), 20);
   EXPECT_EQ(2 * slope_bits(128), 36);
   EXPECT_EQ(slope_fraction(128), 8);
+  EXPECT_EQ(2 * kNormalBits + 3, 27) << "an axis and a sign beside the two smaller components";
 }
 
 Facet random_facet(scene::Random& random) {
