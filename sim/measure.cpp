@@ -114,8 +114,7 @@ class Measure {
           const auto queues = name == "golden" ? std::vector<int>{1} : options_.queues;
           for (const int fa : queues) {
             row.fa = name == "golden" ? std::optional<int>() : fa;
-            run_light(*machine, light,
-                      {light.at, *row.distance, fa, parse_light_rule(rule)}, row);
+            run_light(*machine, light, {light.at, *row.distance, fa, parse_light_rule(rule)}, row);
           }
         }
       }

@@ -33,7 +33,8 @@ class Bench(HostTest):
         self.assertEqual(len(rows), 2 * 2 * 2)
         for row in rows:
             self.succeed("run", "shells:10:1", "--machine", "cycle", "--n", 12, "--mode", row["mode"], "--light",
-                         f"{row['x']},{row['y']},{row['z']}", "--target-distance", row["L"], "--fa", row["fa"])
+                         f"{row['x']},{row['y']},{row['z']}", "--target-distance", row["L"], "--fa", row["fa"],
+                         "--light-rule", "thesis")
             (light,) = self.report()["sources"]
             self.assertEqual(light["cycles"], int(row["light_cycles"]))
 

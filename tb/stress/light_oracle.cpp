@@ -98,8 +98,8 @@ std::vector<bool> LightOracle::find_stops(const LightJob& job) const {
   for (glm::ivec3 at(0); at.z < n_; ++at.z)
     for (at.y = 0; at.y < n_; ++at.y)
       for (at.x = 0; at.x < n_; ++at.x)
-        stops[place(at)] = job.rule == LightRule::thesis ? at_voxel(at).armour
-                                                         : accurate_.stops(at, job.source);
+        stops[place(at)] =
+            job.rule == LightRule::thesis ? at_voxel(at).armour : accurate_.stops(at, job.source);
   return stops;
 }
 

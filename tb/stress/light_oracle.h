@@ -13,8 +13,8 @@ namespace rc2::stress {
 struct ExpectedLight {
   LightMemory arrived;  ///< in the order of VoxelMemory
   TargetCount targets;
-  std::int64_t visits = 0;  ///< voxels that rays looked at
-  std::int64_t passed = 0;  ///< of them, armoured ones that a ray went on from
+  std::int64_t visits = 0;   ///< voxels that rays looked at
+  std::int64_t passed = 0;   ///< of them, armoured ones that a ray went on from
   std::int64_t guarded = 0;  ///< of them, those not armoured that ended a ray
 };
 

@@ -25,7 +25,9 @@ StopOracle::StopOracle(int n, const VoxelMemory& voxels, const LayerMemory& laye
   for (const VoxelRecord& voxel : voxels) owners_[key(voxel.at)] = voxel.owner;
   for (const LayerRecord& layer : layers) inside_[key(layer.at)] = layer.inside;
   for (const facet::PacketHead& head : packets.heads) {
-    heads_[head.facet] = head;
+    // Packets of the other layers do not bring the facet's plane.
+    if (head.layer == facet::Layer::armour || head.layer == facet::Layer::guard)
+      heads_[head.facet] = head;
     if (head.layer == facet::Layer::guard) claim(packets, head);
   }
 }

@@ -55,7 +55,8 @@ class Platform(unittest.TestCase):
         out = self.folder / "report"
         self.assertEqual(self.run_program("rc2", "run", *scene, "--out", out).returncode, 0)
         report = json.loads((out / "report.json").read_text())
-        cycles = report["cycles"]["load"] + sum(one["cycles"] for one in report["sources"])
+        cycles = report["cycles"]["load"] + sum(
+            one["prepare_cycles"] + one["cycles"] for one in report["sources"])
         self.assertEqual(self.nanoseconds(cycle) - self.nanoseconds(golden), 10 * cycles)
 
     def test_bad_input(self):

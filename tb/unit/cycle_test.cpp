@@ -70,8 +70,8 @@ void expect_same_light(Machine& machine, Machine& golden, const LightJob& job) {
   const LightResult ours = machine.light(job, {}), theirs = golden.light(job, {});
   EXPECT_EQ(machine.read_light(), golden.read_light());
   EXPECT_EQ(ours.targets.total, theirs.targets.total);
-  // What would have escaped may have been skipped, and by the accurate rule what would have ended in
-  // voxels that are not there to be lit.
+  // What would have escaped may have been skipped, and by the accurate rule what would have ended
+  // in voxels that are not there to be lit.
   if (job.rule == LightRule::thesis) {
     EXPECT_EQ(ours.targets.absorbed, theirs.targets.absorbed);
   }
