@@ -6,25 +6,19 @@
 #include <map>
 #include <memory>
 
-#include "sim/commands.h"
 #include "sim/light_stage.h"
-#include "sim/memory.h"
-#include "sim/outputs.h"
-#include "sim/progress_bar.h"
-#include "sw/base/replace_file.h"
+#include "sim/table_command.h"
 #include "sw/golden/golden_machine.h"
 #include "sw/report/laws.h"
 
 namespace rc2 {
 namespace {
 
-struct LightErrorOptions {
-  std::vector<std::string> scenes;
-  std::vector<int> sides = {64, 128};
+struct LightErrorOptions : TableOptions {
+  LightErrorOptions() { sides = {64, 128}; }
   std::vector<int> reaches = {2};
   std::vector<std::string> rules = {"thesis", "accurate"};
   int fraction_bits = 6;
-  std::string out;
 };
 
 struct Row {
@@ -107,40 +101,17 @@ std::string to_csv(const std::vector<Row>& rows) {
   return csv;
 }
 
-ExitCode measure_light_error(const LightErrorOptions& options) {
-  Outputs outputs;
-  if (!options.out.empty()) outputs.add_file(options.out);
-  ProgressBar bar;
-  std::vector<Row> rows;
-  for (const std::string& scene : options.scenes)
-    for (const int n : options.sides)
-      within_memory(n, [&] { measure(scene, n, options, bar, rows); });
-  bar.wipe();
-  print(rows);
-  if (!options.out.empty()) replace_file(options.out, to_csv(rows));
-  outputs.keep();
-  return kDone;
-}
-
 }  // namespace
 
 void declare_light_error(CLI::App& program, ExitCode& exit_code) {
   auto options = std::make_shared<LightErrorOptions>();
   auto* command = program.add_subcommand(
       "light-error", "Compares the light of the golden model with the continuous scene (Embree)");
-  command
-      ->add_option("SCENE", options->scenes,
-                   "Files that Assimp reads, or generated scenes: those of run; boxes, tori, "
-                   "plates:THICKNESS, sheets")
-      ->required();
-  command->add_option("--n", options->sides, "Sides of the cube, in voxels")
-      ->delimiter(',')
-      ->check(CLI::Range(8, kMaxSide))
-      ->capture_default_str();
-  command->add_option("--reach", options->reaches, "Distances L of the virtual faces, over n")
-      ->delimiter(',')
-      ->check(CLI::Range(1, 8))
-      ->capture_default_str();
+  declare_table_options(*command, *options,
+                        "Files that Assimp reads, or generated scenes: those of run; boxes, tori, "
+                        "plates:THICKNESS, sheets");
+  declare_list(*command, "--reach", options->reaches, 1, 8,
+               "Distances L of the virtual faces, over n");
   command->add_option("--light-rule", options->rules, "Rules of light")
       ->delimiter(',')
       ->check(CLI::IsMember({"thesis", "accurate"}))
@@ -150,9 +121,14 @@ void declare_light_error(CLI::App& program, ExitCode& exit_code) {
                    "Vertices are multiples of 2^-f voxel")
       ->check(CLI::Range(0, kMaxFractionBits))
       ->capture_default_str();
-  command->add_option("--out", options->out, "Write the table to this CSV file")
-      ->type_name("FILE.csv");
-  command->callback([options, &exit_code] { exit_code = measure_light_error(*options); });
+  command->callback([options, &exit_code] {
+    exit_code = make_table<Row>(
+        *options,
+        [&](const std::string& scene, int n, ProgressBar& bar, std::vector<Row>& rows) {
+          measure(scene, n, *options, bar, rows);
+        },
+        print, to_csv);
+  });
 }
 
 }  // namespace rc2

@@ -13,6 +13,7 @@
 #include "sim/memory.h"
 #include "sim/outputs.h"
 #include "sim/progress_bar.h"
+#include "sim/stage_command.h"
 #include "sim/timed_load.h"
 #include "sw/base/replace_file.h"
 #include "sw/report/laws.h"
@@ -20,18 +21,13 @@
 namespace rc2 {
 namespace {
 
-struct MeasureOptions {
-  std::string scene;
-  int n = 64;
-  int fraction_bits = 6;
+struct MeasureOptions : StageOptions {
   std::string rule = "armoured";
   std::vector<std::string> machines = {"golden", "cycle"};
   std::vector<std::string> modes = {"fast"};
   std::vector<std::string> light_rules = {"thesis", "accurate"};
   std::vector<double> reaches = {2};
   std::vector<int> queues = {8};
-  int lights = 3;
-  std::string out;
 };
 
 class Measure {
@@ -123,7 +119,7 @@ class Measure {
 
   void run_light(Machine& machine, const Light& light, const LightJob& job, BenchRow row) {
     const bool has_layers = options_.rule == "armoured";
-    if (job.rule == LightRule::accurate && !(machine.config().accurate_light && has_layers)) {
+    if (job.rule == LightRule::accurate && !(machine.config().accurate_light() && has_layers)) {
       ++skipped_;
       return;
     }
@@ -179,15 +175,7 @@ void declare_measure(CLI::App& program, ExitCode& exit_code) {
       "measure",
       "Run time beside error: loads and lights a scene in many ways, compares voxels, "
       "light and picture with the continuous scene (Embree)");
-  command->add_option("SCENE", options->scene, "A scene as light-error takes it")->required();
-  command->add_option("--n", options->n, "Side of the cube, in voxels")
-      ->check(CLI::Range(8, kMaxSide))
-      ->capture_default_str();
-  command
-      ->add_option("--fraction-bits", options->fraction_bits,
-                   "Vertices are multiples of 2^-f voxel")
-      ->check(CLI::Range(0, kMaxFractionBits))
-      ->capture_default_str();
+  declare_stage_options(*command, *options);
   command->add_option("--rule", options->rule, "Voxels of a facet, as for run")
       ->capture_default_str();
   command->add_option("--machine", options->machines, "Machines")
@@ -210,12 +198,6 @@ void declare_measure(CLI::App& program, ExitCode& exit_code) {
       ->delimiter(',')
       ->check(CLI::Range(1, 64))
       ->capture_default_str();
-  command->add_option("--lights", options->lights, "How many lights, one after another")
-      ->check(CLI::Range(1, kStageLights))
-      ->capture_default_str();
-  command->add_option("--out", options->out, "Write the table to this CSV file")
-      ->type_name("FILE.csv")
-      ->required();
   command->callback([options, &exit_code] {
     exit_code = within_memory(options->n, [&] { return measure(*options); });
   });

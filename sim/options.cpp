@@ -144,8 +144,7 @@ void check_options(RunOptions& options) {
   constexpr std::int64_t kLongest = 1'000'000'000'000;
   check_range<std::int64_t>("--waves-from", options.waves_from, 0, kLongest);
   check_range<std::int64_t>("--waves-cycles", options.waves_cycles, 1, kLongest);
-  if (options.light_rule == "accurate" && options.light_mode() == LightMode::thesis &&
-      options.machine != "golden") {
+  if (options.light_rule == "accurate" && options.light_mode() == LightMode::thesis) {
     throw Error(
         "--light-rule accurate: in thesis mode light ends as in the thesis; leave out --mode or "
         "--light-rule");

@@ -9,6 +9,7 @@
 #include "sim/memory.h"
 #include "sim/outputs.h"
 #include "sim/progress_bar.h"
+#include "sim/stage_command.h"
 #include "sim/timed_load.h"
 #include "sw/base/replace_file.h"
 #include "sw/direct/voxeliser.h"
@@ -24,17 +25,9 @@ constexpr int kRepeats = 3;  // of which the fastest counts
 // Armour is up to three voxels thick along a way.
 constexpr int kLeave = 3;
 
-struct PeerOptions {
-  std::string scene;
-  int n = 64;
-  int fraction_bits = 6;
-  int lights = 3;
-  std::string out;
-};
-
 class Peers {
  public:
-  Peers(const PeerOptions& options, ProgressBar& bar)
+  Peers(const StageOptions& options, ProgressBar& bar)
       : stage_(options.scene, options.n, options.fraction_bits, facet::Rule::armoured,
                bar.step("loading")),
         picture_(stage_) {
@@ -182,7 +175,7 @@ class Peers {
   std::vector<BenchRow> rows_;
 };
 
-ExitCode measure_peers(const PeerOptions& options) {
+ExitCode measure_peers(const StageOptions& options) {
   Outputs outputs;
   outputs.add_file(options.out);
   ProgressBar bar;
@@ -198,26 +191,12 @@ ExitCode measure_peers(const PeerOptions& options) {
 }  // namespace
 
 void declare_peers(CLI::App& program, ExitCode& exit_code) {
-  auto options = std::make_shared<PeerOptions>();
+  auto options = std::make_shared<StageOptions>();
   auto* command = program.add_subcommand(
       "peers",
       "The same scenes, lights and errors as measure with what one would take instead: "
       "Embree, a walk through the voxels, a sweep over layers; OpenVDB for loading");
-  command->add_option("SCENE", options->scene, "A scene as light-error takes it")->required();
-  command->add_option("--n", options->n, "Side of the cube, in voxels")
-      ->check(CLI::Range(8, kMaxSide))
-      ->capture_default_str();
-  command
-      ->add_option("--fraction-bits", options->fraction_bits,
-                   "Vertices are multiples of 2^-f voxel")
-      ->check(CLI::Range(0, kMaxFractionBits))
-      ->capture_default_str();
-  command->add_option("--lights", options->lights, "How many lights, one after another")
-      ->check(CLI::Range(1, kStageLights))
-      ->capture_default_str();
-  command->add_option("--out", options->out, "Write the table to this CSV file")
-      ->type_name("FILE.csv")
-      ->required();
+  declare_stage_options(*command, *options);
   command->callback([options, &exit_code] {
     exit_code = within_memory(options->n, [&] { return measure_peers(*options); });
   });

@@ -4,13 +4,9 @@
 #include <filesystem>
 #include <memory>
 
-#include "sim/commands.h"
 #include "sim/job.h"
-#include "sim/memory.h"
-#include "sim/outputs.h"
-#include "sim/progress_bar.h"
 #include "sim/render_job.h"
-#include "sw/base/replace_file.h"
+#include "sim/table_command.h"
 #include "sw/cycle/cycle_machine.h"
 #include "sw/facet/optics.h"
 #include "sw/report/laws.h"
@@ -18,14 +14,12 @@
 namespace rc2 {
 namespace {
 
-struct RayTrafficOptions {
-  std::vector<std::string> scenes;
-  std::vector<int> sides = {32, 64};
+struct RayTrafficOptions : TableOptions {
+  RayTrafficOptions() { sides = {32, 64}; }
   std::vector<int> depths = {1, 4};
   std::vector<int> queues = {1, 2, 4};
   std::string view = "front";
   bool all_mirrors = false;
-  std::string out;
 };
 
 struct Row {
@@ -101,46 +95,26 @@ std::string to_csv(const std::vector<Row>& rows) {
   return csv;
 }
 
-ExitCode measure_ray_traffic(const RayTrafficOptions& options) {
-  Outputs outputs;
-  if (!options.out.empty()) outputs.add_file(options.out);
-  ProgressBar bar;
-  std::vector<Row> rows;
-  for (const std::string& scene : options.scenes)
-    for (const int n : options.sides)
-      within_memory(n, [&] { measure(scene, n, options, bar, rows); });
-  bar.wipe();
-  print(rows);
-  if (!options.out.empty()) replace_file(options.out, to_csv(rows));
-  outputs.keep();
-  return kDone;
-}
-
 }  // namespace
 
 void declare_ray_traffic(CLI::App& program, ExitCode& exit_code) {
   auto options = std::make_shared<RayTrafficOptions>();
   auto* command = program.add_subcommand(
       "ray-traffic", "Cycles that the cycle model takes to trace rays, and what holds them up");
-  command
-      ->add_option("SCENE", options->scenes,
-                   "Files that Assimp reads, or generated scenes: those of run")
-      ->required();
-  const auto add_list = [&](const char* name, std::vector<int>& list, int low, int high,
-                            const char* what) {
-    command->add_option(name, list, what)
-        ->delimiter(',')
-        ->check(CLI::Range(low, high))
-        ->capture_default_str();
-  };
-  add_list("--n", options->sides, 8, kMaxSide, "Sides of the cube, in voxels");
-  add_list("--depth", options->depths, 0, rays::kMaxDepth, "Bounces");
-  add_list("--queue", options->queues, 1, 1024, "Places of each queue");
+  declare_table_options(*command, *options,
+                        "Files that Assimp reads, or generated scenes: those of run");
+  declare_list(*command, "--depth", options->depths, 0, rays::kMaxDepth, "Bounces");
+  declare_list(*command, "--queue", options->queues, 1, 1024, "Places of each queue");
   declare_view(*command, options->view);
   command->add_flag("--all-mirrors", options->all_mirrors, "Make every facet a perfect mirror");
-  command->add_option("--out", options->out, "Write the table to this CSV file")
-      ->type_name("FILE.csv");
-  command->callback([options, &exit_code] { exit_code = measure_ray_traffic(*options); });
+  command->callback([options, &exit_code] {
+    exit_code = make_table<Row>(
+        *options,
+        [&](const std::string& scene, int n, ProgressBar& bar, std::vector<Row>& rows) {
+          measure(scene, n, *options, bar, rows);
+        },
+        print, to_csv);
+  });
 }
 
 }  // namespace rc2

@@ -74,7 +74,7 @@ class Renderer {
       write("0-loaded", picture::compose(traced, lit_lamps(lamps.list, none), 0));
     }
     const LightRule rule =
-        machine->config().accurate_light ? LightRule::accurate : LightRule::thesis;
+        machine->config().accurate_light() ? LightRule::accurate : LightRule::thesis;
     drive.light(lamps.list, 2 * options_.n, kFa, rule);
     if (!options_.dump.empty()) {
       replace_file(options_.dump, report::to_csv(drive.memories()));

@@ -6,13 +6,10 @@
 #include <memory>
 
 #include "sim/bounce.h"
-#include "sim/commands.h"
 #include "sim/drive.h"
 #include "sim/job.h"
-#include "sim/memory.h"
-#include "sim/outputs.h"
 #include "sim/render_job.h"
-#include "sw/base/replace_file.h"
+#include "sim/table_command.h"
 #include "sw/facet/optics.h"
 #include "sw/golden/golden_machine.h"
 #include "sw/picture/compose.h"
@@ -22,12 +19,10 @@
 namespace rc2 {
 namespace {
 
-struct RenderErrorOptions {
-  std::vector<std::string> scenes;
-  std::vector<int> sides = {32, 64, 128};
+struct RenderErrorOptions : TableOptions {
+  RenderErrorOptions() { sides = {32, 64, 128}; }
   std::vector<int> depths = {0, 1, 4};
   std::string view = "front";
-  std::string out;
 };
 
 // A picture of the machine against the true one.
@@ -182,21 +177,6 @@ std::string to_csv(const std::vector<Row>& rows) {
   return csv;
 }
 
-ExitCode measure_render_error(const RenderErrorOptions& options) {
-  Outputs outputs;
-  if (!options.out.empty()) outputs.add_file(options.out);
-  ProgressBar bar;
-  std::vector<Row> rows;
-  for (const std::string& scene : options.scenes)
-    for (const int n : options.sides)
-      within_memory(n, [&] { measure(scene, n, options, bar, rows); });
-  bar.wipe();
-  print(rows);
-  if (!options.out.empty()) replace_file(options.out, to_csv(rows));
-  outputs.keep();
-  return kDone;
-}
-
 }  // namespace
 
 void declare_render_error(CLI::App& program, ExitCode& exit_code) {
@@ -204,22 +184,19 @@ void declare_render_error(CLI::App& program, ExitCode& exit_code) {
   auto* command = program.add_subcommand(
       "render-error",
       "Compares the rays and pictures of the golden model with the continuous scene (Embree)");
-  command
-      ->add_option("SCENE", options->scenes,
-                   "Files that Assimp reads, or generated scenes: those of run")
-      ->required();
-  command->add_option("--n", options->sides, "Sides of the cube, in voxels")
-      ->delimiter(',')
-      ->check(CLI::Range(8, kMaxSide))
-      ->capture_default_str();
-  command->add_option("--depth", options->depths, "Bounces of the pictures compared")
-      ->delimiter(',')
-      ->check(CLI::Range(0, rays::kMaxDepth))
-      ->capture_default_str();
+  declare_table_options(*command, *options,
+                        "Files that Assimp reads, or generated scenes: those of run");
+  declare_list(*command, "--depth", options->depths, 0, rays::kMaxDepth,
+               "Bounces of the pictures compared");
   declare_view(*command, options->view);
-  command->add_option("--out", options->out, "Write the table to this CSV file")
-      ->type_name("FILE.csv");
-  command->callback([options, &exit_code] { exit_code = measure_render_error(*options); });
+  command->callback([options, &exit_code] {
+    exit_code = make_table<Row>(
+        *options,
+        [&](const std::string& scene, int n, ProgressBar& bar, std::vector<Row>& rows) {
+          measure(scene, n, *options, bar, rows);
+        },
+        print, to_csv);
+  });
 }
 
 }  // namespace rc2

@@ -231,7 +231,6 @@ class VerilatedMachine final : public Machine {
     config.mode = (build & kBuildThesis) != 0 ? LightMode::thesis : LightMode::fast;
     config.counts = (build & kBuildCounts) != 0;
     config.skips = (build & kBuildSkips) != 0;
-    config.accurate_light = config.layers && config.mode == LightMode::fast;
     if (read_register(kInverseBits) > 32) {
       throw std::logic_error("rtl/rc2_machine.sv: 1/L does not fit its register");
     }

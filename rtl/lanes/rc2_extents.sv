@@ -28,7 +28,8 @@ module rc2_extents (
     output logic [rc2_pkg::ReachW-1:0]       nw_o,
     output logic [rc2_pkg::ReachW-1:0]       sw_o,
     output logic [rc2_pkg::ReachW-1:0]       se_o,
-    // where the cell is, seen from the light, and what its light can meet: layers min .. max
+    // where the cell is, seen from the light, and what its light can meet: layers min .. max, one
+    // cycle after the light is there
     input  logic                             east_i,
     input  logic                             west_i,
     input  logic                             north_i,
@@ -98,8 +99,10 @@ module rc2_extents (
   assign {se_max, se_min} = reach[3];
   assign rest_min = (nw_min < se_min) ? nw_min : se_min;
   assign rest_max = (nw_max > se_max) ? nw_max : se_max;
-  assign min_o = (source && rest_min < away_min) ? rest_min : away_min;
-  assign max_o = (source && rest_max > away_max) ? rest_max : away_max;
+  always_ff @(posedge clk_i) begin
+    min_o <= (source && rest_min < away_min) ? rest_min : away_min;
+    max_o <= (source && rest_max > away_max) ? rest_max : away_max;
+  end
 
   // Contract: until the next clear an extent only grows, and holds the own column's.
   logic [CoordW-1:0] ne_min, ne_max, ne_min_q, ne_max_q;

@@ -42,9 +42,11 @@ struct MachineConfig {
   int feeders = 1;        ///< row feeders that the host port serves; a power of two <= n
   bool layers = true;     ///< columns know shown, inside and guard voxels, not only armour
   LightMode mode = LightMode::fast;
-  bool counts = true;           ///< read_light() says how many targets arrived, not only if any did
-  bool skips = true;            ///< in fast mode: light that can meet nothing ends early
-  bool accurate_light = false;  ///< knows LightRule::accurate, which needs the layers
+  bool counts = true;  ///< read_light() says how many targets arrived, not only if any did
+  bool skips = true;   ///< in fast mode: light that can meet nothing ends early
+
+  /// Whether the machine knows LightRule::accurate, which needs the layers.
+  bool accurate_light() const { return layers && mode == LightMode::fast; }
 };
 
 constexpr int kMaxSide = 1024;       ///< largest n the 64-bit host arithmetic is proven for

@@ -10,9 +10,7 @@ CycleMachine::CycleMachine(const MachineConfig& config)
     : config_(checked(config)),
       columns_(config.n),
       light_array_(config.n, columns_),
-      lane_array_(config.n, config.skips, columns_) {
-  config_.accurate_light = config.layers && config.mode == LightMode::fast;
-}
+      lane_array_(config.n, config.skips, columns_) {}
 
 LoadResult CycleMachine::load(const facet::PacketStream& packets, const Progress& progress) {
   check_packets(config_, packets);

@@ -29,6 +29,10 @@ Extent& Extents::at(std::size_t quadrant, int x, int y) {
   return quadrants_[quadrant][cell_number(x, y, n_)];
 }
 
+const Extent& Extents::at(std::size_t quadrant, int x, int y) const {
+  return quadrants_[quadrant][cell_number(x, y, n_)];
+}
+
 void Extents::settle(const Columns& columns) {
   std::vector<Extent> own;
   for (std::size_t column = 0; column < columns.size(); ++column) {
@@ -49,16 +53,18 @@ void Extents::settle(const Columns& columns) {
   }
 }
 
-Extent Extents::beyond(std::size_t cell, const glm::ivec3& source) const {
-  const auto x = static_cast<int>(cell) % n_, y = static_cast<int>(cell) / n_;
-  Extent extent{n_, -1};
+std::vector<Extent> Extents::beyond(const glm::ivec3& source) const {
+  std::vector<Extent> all(quadrants_[0].size(), {n_, -1});
   for (std::size_t quadrant = 0; quadrant < quadrants_.size(); ++quadrant) {
     const bool east = (quadrant & 1U) != 0, north = (quadrant & 2U) != 0;
-    if (east ? x < source.x : x > source.x) continue;
-    if (north ? y < source.y : y > source.y) continue;
-    extent = joined(extent, quadrants_[quadrant][cell]);
+    for (int y = north ? source.y : 0; y <= (north ? n_ - 1 : source.y); ++y) {
+      for (int x = east ? source.x : 0; x <= (east ? n_ - 1 : source.x); ++x) {
+        Extent& extent = all[cell_number(x, y, n_)];
+        extent = joined(extent, at(quadrant, x, y));
+      }
+    }
   }
-  return extent;
+  return all;
 }
 
 }  // namespace rc2::cycle

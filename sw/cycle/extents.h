@@ -30,11 +30,12 @@ class Extents {
   /// Takes over what is in the columns now.
   void settle(const Columns& columns);
 
-  /// Layers with occupied voxels that light from `source` can reach once it is in this cell.
-  Extent beyond(std::size_t cell, const glm::ivec3& source) const;
+  /// Of each cell, layers with occupied voxels that light from `source` can reach once it is there.
+  std::vector<Extent> beyond(const glm::ivec3& source) const;
 
  private:
   Extent& at(std::size_t quadrant, int x, int y);
+  const Extent& at(std::size_t quadrant, int x, int y) const;
 
   int n_;
   // Quadrant sx + 2 sy: east if sx, north if sy.

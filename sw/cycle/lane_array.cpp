@@ -56,9 +56,10 @@ LightResult LaneArray::run(const LightJob& job, const Observer& observer,
   columns_.darken();
   result.prepare_cycles = prepare(job, n_, columns_);
   history_.start();
-  const Extents* const extents = skips_ ? &extents_ : nullptr;
-  z_.run(job, classes, extents);
-  side_.start(job, classes, extents);
+  const std::vector<Extent> beyond =
+      skips_ ? extents_.beyond(job.source) : std::vector<Extent>(columns_.size(), {0, n_ - 1});
+  z_.run(job, classes, beyond);
+  side_.start(job, classes, beyond);
 
   std::int64_t cycle = 0, still = 0;
   while (side_.busy()) {

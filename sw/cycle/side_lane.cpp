@@ -29,7 +29,8 @@ SideLane::SideLane(int n, Columns& columns)
   }
 }
 
-void SideLane::start(const LightJob& light, const Classes& classes, const Extents* extents) {
+void SideLane::start(const LightJob& light, const Classes& classes,
+                     const std::vector<Extent>& beyond) {
   light_ = light;
   classes_ = &classes;
   const auto depth = static_cast<std::size_t>(light.fa + 1) / 2;
@@ -39,7 +40,7 @@ void SideLane::start(const LightJob& light, const Classes& classes, const Extent
   }
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     Cell& cell = cells_[i];
-    cell.beyond = extents != nullptr ? extents->beyond(i, light.source) : Extent{0, n_ - 1};
+    cell.beyond = beyond[i];
     cell.table_made = cell.serving = false;
     cell.first = cell.count = {};
   }

@@ -28,8 +28,8 @@ class SideLane {
  public:
   SideLane(int n, Columns& columns);
 
-  /// `extents` say what a cell's beams can still meet; null: anything.
-  void start(const LightJob& light, const Classes& classes, const Extents* extents);
+  /// `beyond` says of each cell what its beams can still meet.
+  void start(const LightJob& light, const Classes& classes, const std::vector<Extent>& beyond);
 
   bool busy() const { return !active_.empty(); }
 
@@ -61,7 +61,7 @@ class SideLane {
   enum From : unsigned { kStraight, kDiagonal };
   struct Cell {
     std::uint16_t x, y;
-    Extent beyond;  // what its beams can still meet
+    Extent beyond;
     bool table_made;
     bool serving;
     std::array<std::uint16_t, 2> first, count;

@@ -12,16 +12,13 @@ ClassSet* ZLanes::rows(std::vector<ClassSet>& front, int x, int y) const {
   return front.data() + cell_number(x, y, n_) * height_;
 }
 
-void ZLanes::run(const LightJob& light, const Classes& classes, const Extents* extents) {
+void ZLanes::run(const LightJob& light, const Classes& classes, const std::vector<Extent>& beyond) {
   light_ = light;
   classes_ = &classes;
   height_ = static_cast<std::size_t>(classes.most());
   now_.assign(columns_.size() * height_, 0);
   next_.assign(columns_.size() * height_, 0);
-  beyond_.assign(columns_.size(), {0, n_ - 1});
-  for (std::size_t i = 0; extents != nullptr && i < beyond_.size(); ++i) {
-    beyond_[i] = extents->beyond(i, light.source);
-  }
+  beyond_ = &beyond;
   tally_ = {};
   last_busy_ = absorbed_ = escaped_ = skipped_ = visits_ = 0;
   run_lane(false);
@@ -58,7 +55,8 @@ void ZLanes::enter(const Box& box, int step, int z, bool down, std::int64_t cycl
       if (any == 0) continue;
       last_busy_ = std::max(last_busy_, cycle);
       const auto column = cell_number(x, y, n_);
-      const bool worth = down ? z >= beyond_[column].min : z <= beyond_[column].max;
+      const Extent& beyond = (*beyond_)[column];
+      const bool worth = down ? z >= beyond.min : z <= beyond.max;
       if (worth && step > 0) ++visits_;
       const bool lights = worth && columns_.occupied(column, z);
       const bool stops = !worth || columns_.stops(column, z);

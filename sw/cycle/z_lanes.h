@@ -19,9 +19,9 @@ class ZLanes {
  public:
   ZLanes(int n, Columns& columns);
 
-  /// Lights the columns; the wave takes two cycles a step, one for each lane. `extents` say what
-  /// light can still meet beyond a cell; null: anything.
-  void run(const LightJob& light, const Classes& classes, const Extents* extents);
+  /// Lights the columns; the wave takes two cycles a step, one for each lane. `beyond` says of each
+  /// cell what light can still meet.
+  void run(const LightJob& light, const Classes& classes, const std::vector<Extent>& beyond);
 
   /// The last cycle in which there was light in a cell.
   std::int64_t last_busy() const { return last_busy_; }
@@ -48,8 +48,8 @@ class ZLanes {
   Columns& columns_;
   LightJob light_{};
   const Classes* classes_ = nullptr;
-  std::vector<Extent> beyond_;  // of each cell, what light can still meet
-  std::size_t height_ = 0;      // rows of a matrix
+  const std::vector<Extent>* beyond_ = nullptr;
+  std::size_t height_ = 0;  // rows of a matrix
   std::vector<ClassSet> now_, next_;
   Tally tally_;
   std::int64_t last_busy_ = 0, absorbed_ = 0, escaped_ = 0, skipped_ = 0, visits_ = 0;

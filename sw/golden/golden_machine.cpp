@@ -8,9 +8,7 @@
 namespace rc2::golden {
 
 GoldenMachine::GoldenMachine(const MachineConfig& config)
-    : config_(checked(config)), grid_(config.n), layers_(config.n) {
-  config_.accurate_light = config.layers;
-}
+    : config_(checked(config)), grid_(config.n), layers_(config.n) {}
 
 LoadResult GoldenMachine::load(const facet::PacketStream& packets, const Progress& progress) {
   check_packets(config_, packets);

@@ -128,7 +128,7 @@ void check_light(const MachineConfig& config, const LightJob& job) {
     refuse_light(job, fmt::format("the depth FA is {}; choose 1 to {}", job.fa, config.max_fa));
   }
   if (job.rule == LightRule::thesis) return;
-  if (!config.accurate_light) {
+  if (!config.accurate_light()) {
     refuse_light(job,
                  "this machine knows the thesis's light rule only; ask for it with --light-rule "
                  "thesis, or use a machine that is in fast mode and has layers");

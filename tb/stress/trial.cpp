@@ -138,7 +138,7 @@ class Trial {
       for (const Named& named : machines) {
         Machine& machine = *named.machine;
         const bool is_golden = &named == machines.data();
-        if (rule == LightRule::accurate && !machine.config().accurate_light) continue;
+        if (rule == LightRule::accurate && !machine.config().accurate_light()) continue;
         if (is_golden && expected.targets.total > kMostGoldenTargets) continue;
         const bool is_refused = !lights_as_expected(machine, job, expected, is_golden);
         const std::string machine_and_rule = fmt::format("{}, {}", named.name, to_string(rule));

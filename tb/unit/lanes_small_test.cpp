@@ -45,13 +45,14 @@ int distance_of(std::size_t cell, const glm::ivec3& source, int n) {
 TEST(SmallLanes, SideBeamsOnlyWaitOutwards) {
   for (int n = 2; n <= 4; ++n) {
     Columns empty(n);
+    const std::vector<Extent> anything(empty.size(), {0, n - 1});
     SideLane lane(n, empty);
     for (int number = 0; number < n * n * n; ++number) {
       const glm::ivec3 source = voxel_at(number, n);
       std::set<std::pair<std::size_t, std::size_t>> waits;
       for (int distance = 1; distance <= 4 * n; ++distance) {
         const Classes classes(distance, farthest_face(source, n) + 1);
-        lane.start({source, distance, 1}, classes, nullptr);
+        lane.start({source, distance, 1}, classes, anything);
         for (std::int64_t cycle = 1; lane.busy(); ++cycle) {
           ASSERT_LT(cycle, 1000) << "n " << n << " source " << number << " L " << distance;
           lane.step(cycle);

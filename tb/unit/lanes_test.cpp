@@ -2,10 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <map>
-#include <regex>
 #include <set>
 #include <string>
 #include <vector>
@@ -94,36 +91,6 @@ TEST(Classes, AreTheTargetsThatHaveGoneTheSameWay) {
       }
     }
   }
-}
-
-std::string package() {
-  std::ifstream file(RC2_SOURCE_DIR "/rtl/rc2_pkg.sv");
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-// The package states the longest list for each LMAX: "(LMAX < 12) ? 2" and so on.
-TEST(Classes, AreAsManyAsTheHardwareHasRoomFor) {
-  constexpr int kTried = 340;
-  const std::string text = package();
-  const std::regex entry(R"(\(LMAX < (\d+)\) \? (\d+))");
-  int most = 0, distance = 1, entries = 0;
-  for (std::sregex_iterator it(text.begin(), text.end(), entry), end; it != end; ++it) {
-    const int limit = std::stoi((*it)[1]), room = std::stoi((*it)[2]);
-    if (limit > kTried) break;
-    for (; distance < limit; ++distance) {
-      most = std::max(most, Classes(distance, std::min(distance, 60)).most());
-      ASSERT_EQ(most, room) << "L " << distance;
-    }
-    ++entries;
-  }
-  EXPECT_GE(entries, 12);
-}
-
-TEST(StopTable, IsAsLongAsInTheHardware) {
-  std::smatch found;
-  const std::string text = package();
-  ASSERT_TRUE(std::regex_search(text, found, std::regex(R"(RUNS = (\d+);)")));
-  EXPECT_EQ(std::stoi(found[1]), StopTable::kRuns);
 }
 
 TEST(Slope, IsWhereRaysAre) {

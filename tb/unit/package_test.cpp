@@ -1,0 +1,93 @@
+// What rtl/rc2_pkg.sv states that stands in C++ too, and that no register of the machine tells.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <regex>
+#include <string>
+
+#include "sw/cycle/classes.h"
+#include "sw/cycle/stop_table.h"
+#include "sw/facet/packet.h"
+#include "sw/machine/host_word.h"
+#include "sw/machine/word.h"
+
+namespace rc2::cycle {
+namespace {
+
+std::string package() {
+  std::ifstream file(RC2_SOURCE_DIR "/rtl/rc2_pkg.sv");
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// The package states the longest list for each LMAX: "(LMAX < 12) ? 2" and so on.
+TEST(Classes, AreAsManyAsTheHardwareHasRoomFor) {
+  constexpr int kTried = 340;
+  const std::string text = package();
+  const std::regex entry(R"(\(LMAX < (\d+)\) \? (\d+))");
+  int most = 0, distance = 1, entries = 0;
+  for (std::sregex_iterator it(text.begin(), text.end(), entry), end; it != end; ++it) {
+    const int limit = std::stoi((*it)[1]), room = std::stoi((*it)[2]);
+    if (limit > kTried) break;
+    for (; distance < limit; ++distance) {
+      most = std::max(most, Classes(distance, std::min(distance, 60)).most());
+      ASSERT_EQ(most, room) << "L " << distance;
+    }
+    ++entries;
+  }
+  EXPECT_GE(entries, 12);
+}
+
+TEST(StopTable, IsAsLongAsInTheHardware) {
+  std::smatch found;
+  const std::string text = package();
+  ASSERT_TRUE(std::regex_search(text, found, std::regex(R"(RUNS = (\d+);)")));
+  EXPECT_EQ(std::stoi(found[1]), StopTable::kRuns);
+}
+
+// All named codes of the package: "localparam logic [2:0] KindHead = 3'd0;" and so on.
+std::map<std::string, int> codes() {
+  std::map<std::string, int> found;
+  const std::string text = package();
+  const std::regex entry(
+      R"(localparam logic \[\d+:0\] ((?:Kind|Read|Layer|Surface)\w+) = \d'd(\d+);)");
+  for (std::sregex_iterator it(text.begin(), text.end(), entry), end; it != end; ++it) {
+    found[(*it)[1]] = std::stoi((*it)[2]);
+  }
+  return found;
+}
+
+template <typename Code>
+int number(Code code) {
+  return static_cast<int>(code);
+}
+
+TEST(Codes, AreTheHardwares) {
+  const std::map<std::string, int> expected{
+      {"KindHead", number(WordKind::head)},
+      {"KindSlab", number(WordKind::slab)},
+      {"KindSide", number(WordKind::side)},
+      {"KindGap", number(WordKind::gap)},
+      {"KindRead", number(WordKind::read)},
+      {"KindData", number(WordKind::data)},
+      {"KindEnd", number(WordKind::end)},
+      {"ReadVoxels", number(ReadWhat::voxels)},
+      {"ReadLight", number(ReadWhat::light)},
+      {"ReadCounters", number(ReadWhat::counters)},
+      {"ReadLayers", number(ReadWhat::layers)},
+      {"ReadEnds", number(ReadWhat::ends)},
+      {"LayerArmour", number(facet::Layer::armour)},
+      {"LayerShown", number(facet::Layer::shown)},
+      {"LayerInside", number(facet::Layer::inside)},
+      {"LayerGuard", number(facet::Layer::guard)},
+      {"SurfaceSolid", number(facet::Surface::solid)},
+      {"SurfaceSheet", number(facet::Surface::sheet)},
+      {"SurfaceCrowd", number(facet::Surface::crowd)},
+  };
+  EXPECT_EQ(codes(), expected);
+}
+
+}  // namespace
+}  // namespace rc2::cycle
