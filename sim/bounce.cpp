@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "sim/camera.h"
+#include "sim/render_job.h"
 #include "sw/scene/random.h"
 
 namespace rc2 {
@@ -46,16 +47,12 @@ void judge(const truth::Whitted& truth, const Sight& sight, const RayHit& first,
 
 // Every facet a mirror: the ray that a hit sends out tells the normal that the machine has.
 void follow(const truth::Whitted& truth, const std::vector<Sight>& sights,
-            std::vector<rays::Facet> optics, Machine& machine, Bounce& sum) {
-  const int n = machine.config().n;
+            std::vector<rays::Facet> optics, Drive& drive, int n, Bounce& sum) {
   const auto pixels = static_cast<std::size_t>(n) * static_cast<std::size_t>(n);
   std::vector<RayStart> starts = ray_starts(sights, n);
   starts.resize(pixels);
-  for (rays::Facet& facet : optics) {
-    facet.mirror = rays::kShareOne;
-    facet.clear = 0;
-  }
-  const RayResult result = machine.trace({{1, 1}, &optics, &starts}, {});
+  make_mirrors(optics);
+  const RayResult result = drive.trace({{1, 1}, &optics, &starts});
   std::vector<const RayHit*> first(pixels), second(pixels);
   for (const RayHit& hit : result.hits) {
     const auto pixel = static_cast<std::size_t>(hit.ray.home.y) * static_cast<std::size_t>(n) +
@@ -69,10 +66,10 @@ void follow(const truth::Whitted& truth, const std::vector<Sight>& sights,
 }  // namespace
 
 Bounce measure_bounce(const truth::Whitted& truth, const scene::Scene& scene,
-                      const std::vector<rays::Facet>& optics, Machine& machine) {
+                      const std::vector<rays::Facet>& optics, Drive& drive, int n) {
   scene::Random random(1);
   std::vector<Sight> mirrored, scattered;
-  for (Sight sight : front_sights(machine.config().n)) {
+  for (Sight sight : front_sights(n)) {
     // Off the middle of the pixel: there are edges of generated scenes.
     sight.from.x += random.between(-0.5, 0.5);
     sight.from.y += random.between(-0.5, 0.5);
@@ -83,8 +80,8 @@ Bounce measure_bounce(const truth::Whitted& truth, const scene::Scene& scene,
     scattered.push_back({hit->at, random_direction(hit->normal, random)});
   }
   Bounce bounce;
-  follow(truth, mirrored, optics, machine, bounce);
-  follow(truth, scattered, optics, machine, bounce);
+  follow(truth, mirrored, optics, drive, n, bounce);
+  follow(truth, scattered, optics, drive, n, bounce);
   return bounce;
 }
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sw/machine/machine.h"
+#include "sim/drive.h"
 #include "sw/truth/whitted.h"
 
 namespace rc2 {
@@ -19,8 +19,9 @@ struct Bounce {
   double distance = 0;        ///< sum over those that are not gross, voxels
 };
 
-/// The points are those that a viewer in front sees; the same in every run.
+/// `drive` has loaded the scene into an n-cube. The points are those that a viewer in front sees;
+/// the same in every run.
 Bounce measure_bounce(const truth::Whitted& truth, const scene::Scene& scene,
-                      const std::vector<rays::Facet>& optics, Machine& machine);
+                      const std::vector<rays::Facet>& optics, Drive& drive, int n);
 
 }  // namespace rc2

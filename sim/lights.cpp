@@ -137,4 +137,12 @@ void place_lamps(Lamps& lamps, const VoxelMemory& voxels, int n) {
   }
 }
 
+std::vector<picture::Lamp> lit_lamps(const std::vector<Lamp>& lamps,
+                                     const std::vector<LightMemory>& arrived) {
+  std::vector<picture::Lamp> lit;
+  for (std::size_t k = 0; k < lamps.size(); ++k)
+    lit.push_back({lamps[k].voxel, lamps[k].colour, arrived[k]});
+  return lit;
+}
+
 }  // namespace rc2

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "sw/picture/render.h"
 #include "sw/report/report.h"
 #include "sw/scene/scene.h"
 
@@ -29,6 +30,10 @@ Lamps choose_lamps(const std::vector<std::string>& asked, const scene::Scene& sc
 /// there is none, then throws Error if a lamp stands in an occupied voxel. `voxels` is what the
 /// machine loaded.
 void place_lamps(Lamps& lamps, const VoxelMemory& voxels, int n);
+
+/// The lamps and what they left behind, together.
+std::vector<picture::Lamp> lit_lamps(const std::vector<Lamp>& lamps,
+                                     const std::vector<LightMemory>& arrived);
 
 /// The free voxel nearest to a place; none if all are occupied.
 std::optional<glm::ivec3> nearest_free(const VoxelMemory& voxels, glm::ivec3 place, int n);

@@ -44,17 +44,13 @@ void measure(const std::string& name, int n, const RayTrafficOptions& options, P
   const std::string title = std::filesystem::path(name).filename().string();
   machine.load(job.facets.packets, bar.step(fmt::format("{}, n = {}: loading", title, n)));
   std::vector<rays::Facet> optics = facet::find_optics(job.facets.facets, job.scene.materials);
-  for (rays::Facet& facet : optics) {
-    if (!options.all_mirrors) break;
-    facet.mirror = rays::kShareOne;
-    facet.clear = 0;
-  }
+  if (options.all_mirrors) make_mirrors(optics);
   const std::vector<RayStart> starts = ray_starts(sights_of(job.scene, options.view, n), n);
   for (const int depth : options.depths) {
     for (const int queue : options.queues) {
-      const RayJob rays{{depth, kDefaultLeastWeight},
+      const RayJob rays{{depth, weight_of(kDefaultLeastWeight)},
                         &optics,
-                        options.view == "front" ? nullptr : &starts,
+                        starts_for(options.view, starts),
                         queue};
       const RayResult result = machine.trace(
           rays,

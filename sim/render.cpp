@@ -27,7 +27,7 @@ struct RenderOptions : SceneOptions {
   std::vector<std::string> lights;
   std::string view = "front";
   int depth = 4;
-  double least_weight = 0.01;
+  double least_weight = kDefaultLeastWeight;
   int queue = 2;
   bool progressive = false;
   std::string out = "out";
@@ -53,7 +53,6 @@ class Renderer {
     if (!options_.dump.empty()) outputs_.add_file(options_.dump);
     MachineConfig config{options_.n, options_.fraction_bits, 2 * options_.n, 1,
                          options_.feeder_count()};
-    config.max_fa = kFa;
     const auto machine = make_machine(options_.machine, config);
     Drive drive(*machine, options_.machine, bar_);
     drive.load(job.facets);
@@ -62,9 +61,9 @@ class Renderer {
     const std::vector<rays::Facet> optics =
         facet::find_optics(job.facets.facets, job.scene.materials);
     const std::vector<RayStart> starts = ray_starts(sights, options_.n);
-    const rays::Limits limits{
-        options_.depth, static_cast<int>(std::lround(options_.least_weight * rays::kWeightOne))};
-    const RayJob rays{limits, &optics, options_.view == "front" ? nullptr : &starts,
+    const RayJob rays{{options_.depth, weight_of(options_.least_weight)},
+                      &optics,
+                      starts_for(options_.view, starts),
                       options_.queue};
     const RayResult result = drive.trace(rays);
     const picture::Traced traced{options_.n, drive.memories().voxels, job.facets.facets,
@@ -73,9 +72,7 @@ class Renderer {
       const std::vector<LightMemory> none(lamps.list.size());
       write("0-loaded", picture::compose(traced, lit_lamps(lamps.list, none), 0));
     }
-    const LightRule rule =
-        machine->config().accurate_light() ? LightRule::accurate : LightRule::thesis;
-    drive.light(lamps.list, 2 * options_.n, kFa, rule);
+    drive.light(lamps.list, 2 * options_.n, 1, kLightRule);
     if (!options_.dump.empty()) {
       replace_file(options_.dump, report::to_csv(drive.memories()));
       written_.push_back(options_.dump);
@@ -85,23 +82,25 @@ class Renderer {
       write(fmt::format("{}-depth-{}", depth + 1, depth), picture::compose(traced, lit, depth));
     write("picture", picture::compose(traced, lit, options_.depth));
     const bool agrees =
-        options_.machine == kReference || golden_hits(job, config, rays) == result.hits;
-    write_report(job, lamps, result, rule, agrees);
+        options_.machine == kReference || agrees_with_golden(job, config, rays, result);
+    write_report(job, lamps, result, agrees);
     if (agrees) return kDone;
-    fmt::print(stderr, "rc2: the hits of {} and {} differ; see the report\n", options_.machine,
+    fmt::print(stderr, "rc2: the rays of {} and {} differ; see the report\n", options_.machine,
                kReference);
     return kDisagreement;
   }
 
  private:
-  static constexpr int kFa = 16;
+  static constexpr LightRule kLightRule = LightRule::accurate;
   static constexpr const char* kReference = "golden";
 
-  std::vector<RayHit> golden_hits(const Job& job, const MachineConfig& config, const RayJob& rays) {
+  bool agrees_with_golden(const Job& job, const MachineConfig& config, const RayJob& rays,
+                          const RayResult& result) {
     const auto golden = make_machine(kReference, config);
     Drive drive(*golden, kReference, bar_);
     drive.load(job.facets);
-    return drive.trace(rays).hits;
+    const RayResult expected = drive.trace(rays);
+    return result.hits == expected.hits && result.counts == expected.counts;
   }
 
   void write(const std::string& name, const picture::Image& image) {
@@ -112,14 +111,13 @@ class Renderer {
     written_.push_back(path + ".png");
   }
 
-  void write_report(const Job& job, const Lamps& lamps, const RayResult& result, LightRule rule,
-                    bool agrees) {
+  void write_report(const Job& job, const Lamps& lamps, const RayResult& result, bool agrees) {
     RenderReport report;
     report.scene = options_.scene;
     report.machine = options_.machine;
     report.view = options_.view;
     report.has_unused_camera = options_.view == "front" && job.scene.camera;
-    report.light_rule = to_string(rule);
+    report.light_rule = to_string(kLightRule);
     report.n = options_.n;
     report.depth = options_.depth;
     report.least_weight = options_.least_weight;

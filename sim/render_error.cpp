@@ -47,15 +47,14 @@ class Bench {
         job_(prepare(scene_options(name, n), true)),
         machine_(machine_config(n)),
         drive_(machine_, "golden", bar),
-        bodies_(bodies_of(job_)),
-        truth_(job_.scene, bodies_, n) {
+        truth_(job_.scene, bodies_of(job_), n) {
     drive_.load(job_.facets);
     optics_ = facet::find_optics(job_.facets.facets, job_.scene.materials);
     sights_ = sights_of(job_.scene, options.view, n);
   }
 
   Row measure(const std::string& title) {
-    Row row{title, n_, measure_bounce(truth_, job_.scene, optics_, machine_), {}};
+    Row row{title, n_, measure_bounce(truth_, job_.scene, optics_, drive_, n_), {}};
     compare_pictures(row);
     return row;
   }
@@ -84,7 +83,7 @@ class Bench {
     const int deepest = *std::max_element(options_.depths.begin(), options_.depths.end());
     const std::vector<RayStart> starts = ray_starts(sights_, n_);
     const RayResult result =
-        machine_.trace({{deepest, kDefaultLeastWeight}, &optics_, &starts}, {});
+        drive_.trace({{deepest, weight_of(kDefaultLeastWeight)}, &optics_, &starts});
     for (const bool has_shadows : {false, true}) {
       const std::vector<picture::Lamp> lit =
           lit_lamps(lamps.list, has_shadows ? drive_.memories().lights
@@ -121,7 +120,6 @@ class Bench {
   Job job_;
   golden::GoldenMachine machine_;
   Drive drive_;
-  std::vector<rays::Body> bodies_;
   truth::Whitted truth_;
   std::vector<rays::Facet> optics_;
   std::vector<Sight> sights_;

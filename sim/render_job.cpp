@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "sw/base/error.h"
 
 namespace rc2 {
@@ -25,12 +27,18 @@ std::vector<Sight> sights_of(const scene::Scene& scene, const std::string& view,
   return camera_sights(*scene.camera, n);
 }
 
-std::vector<picture::Lamp> lit_lamps(const std::vector<Lamp>& lamps,
-                                     const std::vector<LightMemory>& arrived) {
-  std::vector<picture::Lamp> lit;
-  for (std::size_t k = 0; k < lamps.size(); ++k)
-    lit.push_back({lamps[k].voxel, lamps[k].colour, arrived[k]});
-  return lit;
+int weight_of(double share) { return static_cast<int>(std::lround(share * rays::kWeightOne)); }
+
+const std::vector<RayStart>* starts_for(const std::string& view,
+                                        const std::vector<RayStart>& starts) {
+  return view == "front" ? nullptr : &starts;
+}
+
+void make_mirrors(std::vector<rays::Facet>& optics) {
+  for (rays::Facet& facet : optics) {
+    facet.mirror = rays::kShareOne;
+    facet.clear = 0;
+  }
 }
 
 std::vector<rays::Body> bodies_of(const Job& job) {

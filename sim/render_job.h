@@ -7,16 +7,17 @@
 
 #include "sim/camera.h"
 #include "sim/job.h"
-#include "sim/lights.h"
-#include "sw/picture/render.h"
 
 namespace rc2 {
 
 /// Vertices are rounded to 1/64 voxel, the unit of a ray's place.
 constexpr int kRenderFraction = 6;
 
-/// A hundredth: what is worth less is not followed.
-constexpr int kDefaultLeastWeight = rays::kWeightOne / 100;
+/// Share of its pixel that a ray must be worth to be followed.
+constexpr double kDefaultLeastWeight = 0.01;
+
+/// In the unit of a ray's weight.
+int weight_of(double share);
 
 /// --view: front, camera.
 void declare_view(CLI::App& command, std::string& view);
@@ -24,9 +25,12 @@ void declare_view(CLI::App& command, std::string& view);
 /// The picture's rays. Throws Error if a camera is asked for and there is none.
 std::vector<Sight> sights_of(const scene::Scene& scene, const std::string& view, int n);
 
-/// The lamps and what they left behind, together.
-std::vector<picture::Lamp> lit_lamps(const std::vector<Lamp>& lamps,
-                                     const std::vector<LightMemory>& arrived);
+/// What RayJob::starts wants: from the front the machine begins the rays itself.
+const std::vector<RayStart>* starts_for(const std::string& view,
+                                        const std::vector<RayStart>& starts);
+
+/// Every facet reflects all.
+void make_mirrors(std::vector<rays::Facet>& optics);
 
 /// What the polygons of the scene belong to, as far as they became facets.
 std::vector<rays::Body> bodies_of(const Job& job);

@@ -28,12 +28,9 @@ void write_pictures(const RunOptions& options, const Job& job, const std::vector
     volume::write_vdb(options.volume, memories.voxels, memories.lights);
     report.written.emplace_back("volume", options.volume);
   }
-  std::vector<picture::Lamp> lit;
-  for (std::size_t k = 0; k < lamps.size(); ++k) {
-    lit.push_back({lamps[k].voxel, lamps[k].colour, memories.lights[k]});
-  }
   const picture::Image image =
-      picture::render(options.n, memories.voxels, lit, job.facets.facets, job.scene.materials);
+      picture::render(options.n, memories.voxels, lit_lamps(lamps, memories.lights),
+                      job.facets.facets, job.scene.materials);
   const std::string exr = in_folder(options, "picture.exr");
   const std::string png = in_folder(options, "picture.png");
   picture::write_exr(exr, image);

@@ -1,7 +1,6 @@
 // A ray on its way: what it carries from cell to cell, and what one cell does with it.
 #pragma once
 
-#include <glm/vec2.hpp>
 #include <optional>
 
 #include "sw/cycle/column.h"
@@ -22,8 +21,6 @@ class RayWalk {
  public:
   /// A ray at its start.
   RayWalk(const rays::Ray& ray, int n);
-
-  glm::ivec2 cell() const { return at_; }
 
   /// Which way the ray goes, bit 0: west, bit 1: south. It never changes.
   unsigned quadrant() const {

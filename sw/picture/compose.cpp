@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <glm/geometric.hpp>
-#include <limits>
 
 #include "sw/machine/find_voxel.h"
 #include "sw/scene/shade.h"
@@ -13,14 +12,10 @@ namespace {
 
 class Composer {
  public:
-  Composer(const Traced& traced, const std::vector<Lamp>& lamps) : traced_(traced), lamps_(lamps) {
-    const auto n = static_cast<std::size_t>(traced.n);
-    image_.n = traced.n;
-    image_.colour.assign(n * n, glm::vec3(0));
-    image_.depth.assign(n * n, std::numeric_limits<float>::infinity());
-    image_.normal.assign(n * n, glm::vec3(0));
-    image_.facet.assign(n * n, Image::kNoFacet);
-    image_.lights.assign(lamps.size(), std::vector<std::uint32_t>(n * n, 0));
+  Composer(const Traced& traced, const std::vector<Lamp>& lamps)
+      : traced_(traced), lamps_(lamps), image_(blank(traced.n, lamps.size(), glm::vec3(0))) {
+    for (const Lamp& lamp : lamps)
+      if (!lamp.arrived.empty()) check_lamp(lamp, traced.voxels);
   }
 
   void add(const RayHit& hit) {
@@ -30,7 +25,8 @@ class Composer {
       image_.colour[pixel] += weight * scene::kBackground;
       return;
     }
-    if (hit.facet >= traced_.facets.size())
+    if (hit.facet >= traced_.facets.size() ||
+        traced_.facets[hit.facet].material >= traced_.materials.size())
       throw Error(
           fmt::format("a ray hit facet {}, of which the scene knows no normal or material: load "
                       "the machine with this scene",

@@ -13,9 +13,9 @@ struct Image {
   static constexpr std::uint32_t kNoFacet = 0xFFFFFFFF;
 
   int n = 0;
-  std::vector<glm::vec3> colour;     ///< linear RGB; the background where no voxel is seen
-  std::vector<float> depth;          ///< voxels, from the viewer's plane z = n - 1/2 to the centre
-                                     ///< of the voxel seen; infinite where there is none
+  std::vector<glm::vec3> colour;     ///< linear RGB; the background where nothing is seen
+  std::vector<float> depth;          ///< voxels, to what is seen (render and compose say from where
+                                     ///< to where); infinite where nothing is
   std::vector<glm::vec3> normal;     ///< unit, turned towards the viewer; 0 where there is none
   std::vector<std::uint32_t> facet;  ///< owner of the voxel seen, or kNoFacet
   std::vector<std::vector<std::uint32_t>> lights;  ///< per lamp: targets that arrived there

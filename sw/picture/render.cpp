@@ -15,26 +15,32 @@ constexpr glm::vec3 kTowardsViewer(0, 0, 1);
 
 }  // namespace
 
-Image render(int n, const VoxelMemory& voxels, const std::vector<Lamp>& lamps,
-             const std::vector<facet::FacetInfo>& facets,
-             const std::vector<scene::Material>& materials) {
-  for (const Lamp& lamp : lamps) {
-    if (lamp.arrived.size() != voxels.size()) {
-      throw Error(
-          fmt::format("a light memory of {} voxels does not belong to a voxel memory of "
-                      "{}: read both from the machine after the same load",
-                      lamp.arrived.size(), voxels.size()));
-    }
-  }
+void check_lamp(const Lamp& lamp, const VoxelMemory& voxels) {
+  if (lamp.arrived.size() == voxels.size()) return;
+  throw Error(
+      fmt::format("a light memory of {} voxels does not belong to a voxel memory of {}: read both "
+                  "from the machine after the same load",
+                  lamp.arrived.size(), voxels.size()));
+}
 
+Image blank(int n, std::size_t lamps, const glm::vec3& colour) {
+  const std::size_t pixels = static_cast<std::size_t>(n) * static_cast<std::size_t>(n);
   Image image;
   image.n = n;
-  const std::size_t pixels = static_cast<std::size_t>(n) * static_cast<std::size_t>(n);
-  image.colour.assign(pixels, scene::kBackground);
+  image.colour.assign(pixels, colour);
   image.depth.assign(pixels, std::numeric_limits<float>::infinity());
   image.normal.assign(pixels, glm::vec3(0));
   image.facet.assign(pixels, Image::kNoFacet);
-  image.lights.assign(lamps.size(), std::vector<std::uint32_t>(pixels, 0));
+  image.lights.assign(lamps, std::vector<std::uint32_t>(pixels, 0));
+  return image;
+}
+
+Image render(int n, const VoxelMemory& voxels, const std::vector<Lamp>& lamps,
+             const std::vector<facet::FacetInfo>& facets,
+             const std::vector<scene::Material>& materials) {
+  for (const Lamp& lamp : lamps) check_lamp(lamp, voxels);
+  Image image = blank(n, lamps.size(), scene::kBackground);
+  const std::size_t pixels = image.colour.size();
 
   std::vector<std::optional<std::size_t>> foremost(pixels);
   for (std::size_t i = 0; i < voxels.size(); ++i) {

@@ -18,11 +18,18 @@ struct Lamp {
   LightMemory arrived;
 };
 
+/// Throws Error unless the lamp's memory is one of these voxels.
+void check_lamp(const Lamp& lamp, const VoxelMemory& voxels);
+
+/// A picture in which nothing is seen.
+Image blank(int n, std::size_t lamps, const glm::vec3& colour);
+
 /// Shades the foremost voxel of each column, seen along -z from z = +infinity, by
 /// sw/scene/shade.h and the lamps that reach the voxel.
 /// A normal that points away from the viewer is turned round, so that single sheets have two
 /// sides.
-/// Throws Error if voxels, lamps, facets and materials do not belong together.
+/// Depth counts from the plane z = n - 1/2 to the centre of the voxel. Throws Error if voxels,
+/// lamps, facets and materials do not belong together.
 Image render(int n, const VoxelMemory& voxels, const std::vector<Lamp>& lamps,
              const std::vector<facet::FacetInfo>& facets,
              const std::vector<scene::Material>& materials);

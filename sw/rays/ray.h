@@ -6,7 +6,6 @@
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
-#include <optional>
 
 #include "sw/rays/format.h"
 

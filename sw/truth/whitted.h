@@ -21,7 +21,7 @@ struct Lamp {
 class Whitted {
  public:
   /// `bodies` says of each polygon what it belongs to; n is the side of the cube, by which light
-  /// fades. Both must outlive this.
+  /// fades. The scene must outlive this.
   Whitted(const scene::Scene& scene, std::vector<rays::Body> bodies, int n);
 
   struct Hit {
