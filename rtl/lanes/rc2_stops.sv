@@ -72,8 +72,11 @@ module rc2_stops (
   logic [CoordW-1:0] low, high;
   assign low = (low_i < zs_i) ? low_i : zs_i;
   assign high = (high_i > zs_i) ? high_i : zs_i;
-  assign first_z = (lowest < $signed(WideW'(low))) ? CountW'(low) : CountW'(lowest);
-  assign last_z = (highest > $signed(WideW'(high))) ? CountW'(high) : CountW'(highest);
+  // Steady long before set_i, so a register takes them off the search's path.
+  always_ff @(posedge clk_i) begin
+    first_z <= (lowest < $signed(WideW'(low))) ? CountW'(low) : CountW'(lowest);
+    last_z  <= (highest > $signed(WideW'(high))) ? CountW'(high) : CountW'(highest);
+  end
 
   // ---- Runs --------------------------------------------------------------------------------------
   logic run_found, run_q, run_here;

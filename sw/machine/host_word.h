@@ -158,7 +158,7 @@ inline Word unpack_word(const WordFormat& format, const HostWord::Limbs& limbs,
     word.surface =
         static_cast<facet::Surface>(field(format.offset + c_bits + format.normal, kSurfaceBits));
     // Who has no lead of the rows knows b as it is in the normal.
-    word.step[1] = with_sign(format.offset + c_bits, format.normal) << 2;
+    word.step[1] = with_sign(format.offset + c_bits, format.normal) * 4;
   }
   for (std::size_t pipe = 0; pipe < pipes; ++pipe) {
     word.step[pipe] =
