@@ -38,7 +38,7 @@ std::string words(const std::optional<std::array<Errors, kPopulations.size()>>& 
 
 std::string header() {
   std::string text =
-      "commit,scene,method,n,f,rule,light_rule,mode,L,fa,light,x,y,z,facets,voxels,"
+      "commit,scene,method,n,f,W,rule,light_rule,mode,skip,L,fa,light,x,y,z,facets,voxels,"
       "uncovered_percent,distance,tunnels_6,tunnels_26,prepare_seconds,load_seconds,light_seconds,"
       "load_cycles,light_cycles,visits,merged,deepest,peak_kilobytes";
   for (const Population population : kPopulations)
@@ -134,8 +134,9 @@ std::string to_csv(const std::vector<BenchRow>& rows) {
   std::string csv = header();
   const std::string commit = source_commit();
   for (const BenchRow& row : rows) {
-    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", commit, row.scene,
-                       row.method, row.n, row.fraction_bits, row.rule, row.light_rule, row.mode,
+    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", commit, row.scene,
+                       row.method, row.n, row.fraction_bits, word(row.coefficient_bits), row.rule,
+                       row.light_rule, row.mode, row.skips ? (*row.skips ? "on" : "off") : "",
                        word(row.distance), word(row.fa), word(row.light), row.at.x, row.at.y,
                        row.at.z, row.facets);
     csv += fmt::format(",{},{:.4f},{:.4f},{},{},{:.6f},{:.6f},{}", row.voxels.voxels,

@@ -26,6 +26,8 @@ struct VoxelError {
 struct BenchRow {
   std::string scene, method, rule, light_rule, mode;
   int n = 0, fraction_bits = 0;
+  std::optional<int> coefficient_bits;  ///< empty: exact
+  std::optional<bool> skips;
   std::optional<int> distance, fa, light;
   glm::ivec3 at{0};
   std::int64_t facets = 0;

@@ -32,7 +32,7 @@ struct Row {
 
 void measure(const std::string& name, int n, const LightErrorOptions& options, ProgressBar& bar,
              std::vector<Row>& rows) {
-  const LightStage stage(name, n, options.fraction_bits, facet::Rule::armoured,
+  const LightStage stage(name, n, options.fraction_bits, facet::Rule::armoured, {},
                          bar.step(fmt::format("{}, n = {}: loading", name, n)));
   MachineConfig config;
   config.n = n;

@@ -12,6 +12,7 @@
 #include "sw/facet/layers.h"
 #include "sw/facet/turns_away.h"
 #include "sw/golden/golden_machine.h"
+#include "sw/surface/rounding.h"
 
 namespace rc2 {
 namespace {
@@ -44,15 +45,20 @@ auto timed(double& seconds, Step step) {
 }  // namespace
 
 LightStage::LightStage(const std::string& name, int side, int f, facet::Rule rule,
-                       const Progress& progress)
+                       std::optional<int> coefficient_bits, const Progress& progress)
     : title(std::filesystem::path(name).filename()),
       n(side),
       fraction_bits(f),
       scene(lit_scene(name, n)),
       facets(timed(packet_seconds,
                    [&] {
-                     return rule == facet::Rule::armoured ? facet::build_layers(scene, n, f)
-                                                          : facet::build_facets(scene, n, f, rule);
+                     facet::FacetSet set = rule == facet::Rule::armoured
+                                               ? facet::build_layers(scene, n, f)
+                                               : facet::build_facets(scene, n, f, rule);
+                     if (coefficient_bits)
+                       set.packets = surface::round_slabs(set.packets, {}, *coefficient_bits,
+                                                          surface::Rounding::widened);
+                     return set;
                    })),
       voxels(timed(load_seconds,
                    [&] {

@@ -1,6 +1,7 @@
 // A scene in the golden machine beside its continuous original: where lights are compared.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,10 @@ constexpr int kStageLights = 6;
 struct LightStage {
   /// make_light_scene(name, side) with all layers, vertices rounded to 2^-f, or, by another rule
   /// than armoured, with none but that all its voxels are shown. Throws Error, also if there is
-  /// nothing to light.
-  LightStage(const std::string& name, int side, int f, facet::Rule rule, const Progress& progress);
+  /// nothing to light. `coefficient_bits`: slabs are rounded to so many bits and widened, see
+  /// surface::round_slabs; otherwise they are exact.
+  LightStage(const std::string& name, int side, int f, facet::Rule rule,
+             std::optional<int> coefficient_bits, const Progress& progress);
 
   /// The free voxel nearest to one of kStageLights places: all round a scene, near the walls of a
   /// room. Throws Error if there is none.

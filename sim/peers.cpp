@@ -28,7 +28,7 @@ constexpr int kLeave = 3;
 class Peers {
  public:
   Peers(const StageOptions& options, ProgressBar& bar)
-      : stage_(options.scene, options.n, options.fraction_bits, facet::Rule::armoured,
+      : stage_(options.scene, options.n, options.fraction_bits, facet::Rule::armoured, {},
                bar.step("loading")),
         picture_(stage_) {
     row_.scene = stage_.title;

@@ -38,6 +38,9 @@ def jobs(seed, full):
                 add("fraction", "measure", name, n, "--fraction-bits", f)
             for rule in ("naive", "supercover", "half", "blindee"):
                 add("rule", "measure", name, n, "--rule", rule)
+            for bits in ("4", "6", "8", "10", "12"):
+                add("width", "measure", name, n, "--coefficient-bits", bits, "--machine", "golden")
+            add("skip", "measure", name, n, "--machine", "cycle", "--skip", "on,off", "--reach", "1,2")
         for mode in ("fast", "thesis"):
             add("queue", "measure", name, 64, "--machine", "cycle", "--light-rule", "thesis", "--mode", mode,
                 "--fa", "1,2,4,8,16")

@@ -99,20 +99,16 @@ class Bench:
         return [Setting(*of, group) for of, group in sorted(grouped(lit, key).items(), key=lambda item: str(item[0]))]
 
     def cycles_of(self, setting):
-        """Mean cycles of the cycle model, which may know the thesis's rule only: (cycles, are they that rule's?)"""
-        for rule in (setting.rule, "thesis"):
-            like = [row for row in self.rows
-                    if row["method"] == "cycle" and int(row["n"]) == setting.n and row["light_rule"] == rule
-                    and self.reach(row) == setting.reach and row["mode"] == "fast" and row["rule"] == "armoured"
-                    and row["fa"] == "8" and row["scene"] in {of["scene"] for of in setting.rows}]
-            if like:
-                return by_scene(like, lambda row: number(row["light_cycles"])), rule != setting.rule
-        return None, False
+        """Mean cycles of the array, by the cycle model, preparing included."""
+        like = [row for row in sweep(self.rows, "size", "reach")
+                if row["method"] == "cycle" and int(row["n"]) == setting.n and row["light_rule"] == setting.rule
+                and self.reach(row) == setting.reach and row["scene"] in {of["scene"] for of in setting.rows}]
+        return by_scene(like, lambda row: number(row["light_cycles"]))
 
     def machine_settings(self):
-        """Those of golden over the common scenes: (setting, cycles that the array takes, see cycles_of)."""
+        """Those of golden over the common scenes: (setting, cycles of the array)."""
         settings = [among(of, self.common) for of in self.settings(sweep(self.rows, "size", "reach")) if of.method == "golden"]
-        return [(of, *self.cycles_of(of)) for of in settings]
+        return [(of, self.cycles_of(of)) for of in settings]
 
 
 def name_of(setting):
@@ -137,15 +133,14 @@ def among(setting, scenes):
     return setting._replace(rows=[row for row in setting.rows if row["scene"] in scenes])
 
 
-# Points of the two plots and the tables of budgets: (name, family, time, error, are the cycles borrowed?, n)
+# Points of the two plots and the tables of budgets: (name, family, time, error)
 def cycle_points(bench):
-    return [(name_of(of), of.rule, cycles, raw(of.rows), borrowed, of.n)
-            for of, cycles, borrowed in bench.machine_settings() if cycles is not None]
+    return [(name_of(of), of.rule, cycles, raw(of.rows)) for of, cycles in bench.machine_settings()]
 
 
 def time_points(bench):
-    points = [(f"array, {name}", "array", cycles * bench.cost.clock("fast", n), error, borrowed)
-              for name, _, cycles, error, borrowed, n in cycle_points(bench)]
+    points = [(f"array, {name_of(of)}", "array", cycles * bench.cost.clock("fast", of.n), raw(of.rows))
+              for of, cycles in bench.machine_settings()]
     for setting in bench.settings(sweep(bench.rows, "size", "reach", "peers")):
         of = among(setting, bench.common)
         if of.method == "golden":
@@ -153,5 +148,5 @@ def time_points(bench):
         else:
             name, family = f"{of.method}{', ' + of.rule if of.rule else ''}, n = {of.n}", of.method.split("-")[0]
         if of.method not in ("cycle", "rtl"):
-            points.append((name, family, by_scene(of.rows, lambda row: number(row["light_seconds"])), raw(of.rows), False))
+            points.append((name, family, by_scene(of.rows, lambda row: number(row["light_seconds"])), raw(of.rows)))
     return [point for point in points if None not in point]

@@ -71,7 +71,9 @@ facet::PacketStream round_slabs(const facet::PacketStream& exact, const Mesh& me
     const Range range = loss(r, head, mesh, rounding);
     const Wide back = value.d, front = head.slab.width - value.d;
     value = {rounded.x, rounded.y, rounded.z, quotient(back * largest - range.low, size)};
-    head.slab.width = value.d + quotient(front * largest + range.high, size);
+    // What marks the inside has no front.
+    if (head.layer != facet::Layer::inside)
+      head.slab.width = value.d + quotient(front * largest + range.high, size);
   }
   return stream;
 }

@@ -34,8 +34,9 @@ constexpr std::array<Rounding, 3> kRoundings = {Rounding::origin, Rounding::cent
 const char* to_string(Rounding rounding);
 
 /// The packets with slabs of W = `bits` bits, sign included, 2 .. 62. Slabs that fit stay as they
-/// are; from plane_bits(n, f) on all do. Facet k of `mesh` is the facet of packet number k. Every
-/// machine for the n and f of the exact packets takes the result.
+/// are; from plane_bits(n, f) on all do. Facet k of `mesh` is the facet of packet number k; only
+/// for the centroid is it looked at. Every machine for the n and f of the exact packets takes the
+/// result.
 facet::PacketStream round_slabs(const facet::PacketStream& exact, const Mesh& mesh, int bits,
                                 Rounding rounding);
 

@@ -38,6 +38,19 @@ class Bench(HostTest):
             (light,) = self.report()["sources"]
             self.assertEqual(light["cycles"], int(row["light_cycles"]))
 
+    def test_skipping_saves_work_and_no_light(self):
+        on, off = self.lines("measure", "sphere", "--n", 16, "--lights", 1, "--machine", "cycle", "--light-rule", "accurate",
+                             "--skip", "on,off")
+        self.assertEqual((on["skip"], off["skip"]), ("on", "off"))
+        self.assertEqual(on["facing_false_dark"], off["facing_false_dark"])
+        self.assertLess(int(on["visits"]), int(off["visits"]))
+
+    def test_few_bits_widen_the_voxels(self):
+        voxels = [int(self.lines("measure", "boxes", "--n", 24, "--lights", 1, "--machine", "golden", *bits)[0]["voxels"])
+                  for bits in (("--coefficient-bits", 3), ("--coefficient-bits", 5), ())]
+        self.assertEqual(voxels, sorted(voxels, reverse=True))
+        self.assertGreater(voxels[0], voxels[2])
+
     def test_machines_agree_and_rays_are_nearly_right(self):
         machines = self.lines("measure", "sphere", "--n", 32, "--lights", 2, "--light-rule", "thesis")
         errors = {}
