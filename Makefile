@@ -67,6 +67,7 @@ MODE :=
 OUT := out
 FULL := 0
 SEED := 1
+SECONDS := 60
 
 # A misspelt word must not pass for a default.
 given := $(foreach word,$(MAKEOVERRIDES),$(if $(findstring =,$(word)),$(firstword $(subst =, ,$(word)))))
@@ -145,6 +146,15 @@ systemc: build/build.ninja
 	$(cmake_build) rc2 rc2_platform systemc_cell systemc_machine rtl_n16
 	@scripts/systemc '$(OUT)/systemc'
 
+build-fuzz/build.ninja: | setup
+	@scripts/setup fuzz
+	cmake --log-level=NOTICE -S . -B build-fuzz -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo -DRC2_FUZZ=ON \
+	  -DCMAKE_CXX_COMPILER=clang++-14
+
+fuzz: build-fuzz/build.ninja
+	cmake --build build-fuzz -j $(jobs) --target fuzz_scene fuzz_program
+	@scripts/fuzz '$(OUT)/fuzz' '$(SECONDS)'
+
 bench-diffusion: build
 	@scripts/bench-diffusion '$(OUT)/bench-diffusion'
 
@@ -181,4 +191,4 @@ format: setup
 	find sw sim tb -name '*.h' -o -name '*.cpp' | xargs -r clang-format -i
 
 clean:
-	rm -rf build build-sanitize out report .snakemake
+	rm -rf build build-fuzz build-sanitize out report .snakemake

@@ -7,6 +7,7 @@
 
 #include "sw/base/error.h"
 #include "tb/systemc/fault.h"
+#include "tb/systemc/recorder.h"
 
 namespace rc2::tb {
 namespace {
@@ -46,7 +47,11 @@ int simulate(const RunOptions& options, const Experiment& experiment) {
   if (!options.fault.empty()) {
     faulty = std::make_unique<FaultyUnit>(*made, Fault::parse(options.fault));
   }
-  Unit& unit = faulty ? *faulty : *made;
+  std::unique_ptr<RecordingUnit> recorder;
+  if (!options.record.empty()) recorder = std::make_unique<RecordingUnit>(*made, options.record);
+  Unit& unit = faulty     ? static_cast<Unit&>(*faulty)
+               : recorder ? static_cast<Unit&>(*recorder)
+                          : *made;
   const auto job = experiment.job(options);
   Bench bench("bench", unit, *job, options.seed, trace.file());
   sc_core::sc_start();
@@ -80,6 +85,10 @@ int run(int argc, char** argv, const Experiment& experiment) {
   program.add_option("--seed", options.seed, "Of the jobs and the stalls")->capture_default_str();
   program.add_option("--jobs", options.jobs, "How many, one after another")->capture_default_str();
   program.add_option("--fault", options.fault, "Break the unit: KIND:STREAM:BEAT");
+  program
+      .add_option("--record", options.record,
+                  "Write the pins in every cycle to this file, for tb/netlist/replay.v")
+      ->excludes("--fault");
   program.add_option("--waves", options.waves, "Write PATH.vcd, and PATH.fst of rtl")
       ->type_name("PATH");
   try {

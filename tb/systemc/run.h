@@ -15,7 +15,8 @@ struct RunOptions {
   std::uint64_t seed = 1;
   std::int64_t jobs = 20;
   std::string fault;  ///< Fault::parse
-  std::string waves;  ///< the waveforms' path without ending, or empty
+  std::string record;  ///< where the pins are written down (RecordingUnit), or empty
+  std::string waves;   ///< the waveforms' path without ending, or empty
 };
 
 /// What one bench is about.

@@ -49,7 +49,7 @@ TEST(Compose, ShadesAHitByTheLampThatReachesItsVoxel) {
   const glm::vec3 dark = scene::own_light(material);
   subject.lamps[0].voxel = {3, 2, 3};
   // Diffuse 0.8, 45 degrees, faded by 1 + d^2 / n^2.
-  const glm::vec3 lit(0.8 * std::sqrt(0.5) / (1 + 8.0 / 16));
+  const glm::vec3 lit(static_cast<float>(0.8 * std::sqrt(0.5) / (1 + 8.0 / 16)));
   expect_near(subject.colour(), dark + lit);
   subject.lamps[0].arrived = {0};
   expect_near(subject.colour(), dark);

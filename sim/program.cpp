@@ -1,0 +1,88 @@
+#include "sim/program.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <new>
+
+#include "sw/base/error.h"
+
+namespace rc2 {
+namespace {
+
+// One line, whatever a library put into its message.
+void complain(std::string message) {
+  std::replace_if(
+      message.begin(), message.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
+  fmt::print(stderr, "rc2: {}\n", message);
+}
+
+ExitCode parse_and_run(int argc, const char* const* argv) {
+  auto exit_code = kDone;
+  CLI::App program("RC2, a ray-tracing cellular machine: loads scenes into it and lights them.",
+                   "rc2");
+  declare_all(program, exit_code);
+  // CLI11 2.1 goes round for ever on an empty word before an option.
+  for (int i = 1; i < argc; ++i)
+    if (*argv[i] == '\0')
+      throw Error(fmt::format("word {} of the command line is empty; fill it or leave it out", i));
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::Success& help_or_version) {
+    program.exit(help_or_version);
+    return kDone;
+  } catch (const CLI::ParseError& error) {
+    std::string command = "rc2";
+    for (const CLI::App* chosen : program.get_subcommands()) command += ' ' + chosen->get_name();
+    throw Error(fmt::format("{}; see {} --help", error.what(), command));
+  }
+  if (program.get_subcommands().empty()) {
+    throw Error("there is nothing to do; name a command, rc2 --help lists them");
+  }
+  return exit_code;
+}
+
+}  // namespace
+
+void declare_all(CLI::App& program, ExitCode& exit_code) {
+  program.set_version_flag("--version", RC2_VERSION);
+  program.require_subcommand(0, 1);
+  declare_run(program, exit_code);
+  declare_voxelize(program, exit_code);
+  declare_compare(program, exit_code);
+  declare_lines(program, exit_code);
+  declare_tunnels(program, exit_code);
+  declare_leaks(program, exit_code);
+  declare_rounding(program, exit_code);
+  declare_loading(program, exit_code);
+  declare_load_speed(program, exit_code);
+  declare_walk(program, exit_code);
+  declare_diffusion(program, exit_code);
+  declare_queues(program, exit_code);
+  declare_light_error(program, exit_code);
+  declare_measure(program, exit_code);
+  declare_peers(program, exit_code);
+  declare_render(program, exit_code);
+  declare_render_error(program, exit_code);
+  declare_ray_traffic(program, exit_code);
+  declare_network(program, exit_code);
+  declare_thesis(program, exit_code);
+}
+
+ExitCode run_program(int argc, const char* const* argv) {
+  try {
+    return parse_and_run(argc, argv);
+  } catch (const Error& error) {
+    complain(error.what());
+    return kBadInput;
+  } catch (const std::bad_alloc&) {
+    complain("there is not enough memory; use smaller files or close other programs");
+    return kBadInput;
+  } catch (const std::exception& error) {
+    complain(fmt::format("internal error: {}", error.what()));
+    return kBroken;
+  }
+}
+
+}  // namespace rc2
