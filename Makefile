@@ -11,6 +11,7 @@
 ##             the docs show them
 ##   oracle    the voxels of 1,500,000 facets against exact arithmetic, as the docs show it
 ##   stress    adversarial scenes and files on all models against exact oracles, as the docs show it
+##   fuzz      any scenes and command lines, steered by libFuzzer, SECONDS=60 each
 ##   systemc   the SystemC test benches and the example TLM-2.0 platform, waveforms under out/systemc/
 ##   bench-diffusion  light: cycles by scene, n, source and mode, as the docs show them
 ##   bench-light  light: what differs from the continuous scene, by rule, as the docs show it
@@ -25,7 +26,7 @@
 ##   sanitize  the software's tests with address and undefined-behaviour sanitizers
 ##   rtl       the Verilated array of side N, build/rtl/librc2_rtl_nN.so
 ##   format    lays out the C++ files as lint wants them
-##   clean     removes build, build-sanitize, out and report
+##   clean     removes build, build-fuzz, build-sanitize, out and report
 ##
 ## Words for sim (N and MODE also for rtl)
 ##   MACHINE=rtl    rtl, cycle (cycle model) or golden (no notion of time)
@@ -170,6 +171,7 @@ report: build
 	@scripts/setup report
 	@scripts/report/build '$(OUT)/report' '$(OUT)/bench' report/index.html
 	@scripts/report/check report/index.html
+
 bench-render: build
 	@scripts/bench-render '$(OUT)/bench-render'
 

@@ -12,6 +12,8 @@ RecordingUnit::RecordingUnit(Unit& unit, const std::string& path) : unit_(unit),
 }
 
 void RecordingUnit::clock(const UnitPins& pins) {
+  // Before the first settling nobody has driven anything.
+  if (!settled_) return unit_.clock(pins);
   for (const Pins& in : pins.in) file_ << in.valid << ' ' << in.beat << ' ' << in.ready << ' ';
   for (const Pins& out : pins.out) file_ << out.ready << ' ' << out.valid << ' ' << out.beat << ' ';
   file_ << '\n';

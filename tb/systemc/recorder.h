@@ -17,12 +17,16 @@ class RecordingUnit final : public Unit {
   RecordingUnit(Unit& unit, const std::string& path);
 
   const StreamNames& names() const override { return unit_.names(); }
-  void settle(UnitPins& pins) override { unit_.settle(pins); }
+  void settle(UnitPins& pins) override {
+    unit_.settle(pins);
+    settled_ = true;
+  }
   void clock(const UnitPins& pins) override;
 
  private:
   Unit& unit_;
   std::ofstream file_;
+  bool settled_ = false;
 };
 
 }  // namespace rc2::tb
