@@ -12,6 +12,8 @@
 ##   oracle    the voxels of 1,500,000 facets against exact arithmetic, as the docs show it
 ##   stress    adversarial scenes and files on all models against exact oracles, as the docs show it
 ##   fuzz      any scenes and command lines, steered by libFuzzer, SECONDS=60 each
+##   netlist   the machine of 4 x 4 cells in gates, against its RTL with four states (Icarus)
+##   bus       somebody else's AXI models (cocotbext-axi, from PyPI) on these gates
 ##   systemc   the SystemC test benches and the example TLM-2.0 platform, waveforms under out/systemc/
 ##   bench-diffusion  light: cycles by scene, n, source and mode, as the docs show them
 ##   bench-light  light: what differs from the continuous scene, by rule, as the docs show it
@@ -94,7 +96,7 @@ cmake_build := cmake --build build -j $(jobs) --target
 test_sizes := 4 5 8 16
 known_sizes := $(test_sizes) 32
 
-.PHONY: help setup build sim thesis chapter2 bench-load bench-diffusion bench-light bench-render bench report area oracle stress systemc test lint sanitize rtl format clean
+.PHONY: help setup build sim thesis chapter2 bench-load bench-diffusion bench-light bench-render bench report area oracle stress fuzz netlist bus systemc test lint sanitize rtl format clean
 .NOTPARALLEL:
 
 help:
@@ -146,6 +148,15 @@ stress: build/build.ninja
 systemc: build/build.ninja
 	$(cmake_build) rc2 rc2_platform systemc_cell systemc_machine rtl_n16
 	@scripts/systemc '$(OUT)/systemc'
+
+netlist: build/build.ninja
+	@scripts/setup netlist
+	$(cmake_build) systemc_machine
+	@scripts/netlist '$(OUT)/netlist' 1
+
+bus: netlist
+	@scripts/setup bus
+	@scripts/bus '$(OUT)/bus' '$(OUT)/netlist'
 
 build-fuzz/build.ninja: | setup
 	@scripts/setup fuzz

@@ -240,7 +240,7 @@ module rc2_cell (
   logic [N-1:0] marks;
   logic [3:0] ways;
   /*verilator tracing_on*/
-  logic [rc2_pkg::QueueW-1:0] queue;
+  logic [rc2_pkg::QueueW-1:0] queued;
   rc2_side_lane u_side_lane (
       .clk_i      (clk_i),
       .rst_ni     (rst_ni),
@@ -278,7 +278,7 @@ module rc2_cell (
       .free_min_o (free_min),
       .free_max_o (free_max),
       .end_o      (served_end),
-      .queue_o    (queue),
+      .queue_o    (queued),
       .busy_o     (side_busy)
   );
   /*verilator tracing_off*/
@@ -359,7 +359,7 @@ module rc2_cell (
       .clk_i      (clk_i),
       .rst_ni     (rst_ni),
       .start_i    (start_i),
-      .depth_i    (queue),
+      .depth_i    (queued),
       .deepest_o  (deepest),
       .signature_o(signature)
   );

@@ -151,7 +151,7 @@ module rc2_cell_thesis (
   /*verilator tracing_off*/
   logic [ExtentW-1:0] served_u, served_v, kept_u, kept_v;
   /*verilator tracing_on*/
-  logic [rc2_pkg::QueueW-1:0] queue;
+  logic [rc2_pkg::QueueW-1:0] queued;
   rc2_diffuser u_diffuser (
       .clk_i     (clk_i),
       .rst_ni    (rst_ni),
@@ -173,7 +173,7 @@ module rc2_cell_thesis (
       .kept_v_o  (kept_v),
       .served_o  (served),
       .finished_o(finished),
-      .queue_o   (queue)
+      .queue_o   (queued)
   );
 
   /*verilator tracing_off*/
@@ -203,7 +203,7 @@ module rc2_cell_thesis (
       .clk_i      (clk_i),
       .rst_ni     (rst_ni),
       .start_i    (start_i),
-      .depth_i    (queue),
+      .depth_i    (queued),
       .deepest_o  (deepest),
       .signature_o(signature)
   );
@@ -222,7 +222,7 @@ module rc2_cell_thesis (
       .busy_o     (arrivals_busy)
   );
 
-  assign busy_o = voxels_busy || router_busy || (queue != 0) || tally_busy || arrivals_busy;
+  assign busy_o = voxels_busy || router_busy || (queued != 0) || tally_busy || arrivals_busy;
 
   // Contract: light finds no loading under way.
   always_ff @(posedge clk_i) if (rst_ni) assert (!(start_i && busy_o));

@@ -155,6 +155,8 @@ module rc2_column (
       rc2_pkg::ReadEnds:   data_o.value = ValueW'(ends_i);
       default:             data_o.value = (first_z == 0) ? visits_i : ValueW'(history_i);
     endcase
+    // What no voxel has written is unknown, and nothing unknown may leave the machine.
+    if (none_q) data_o.value = '0;
   end
 
   always_ff @(posedge clk_i) begin

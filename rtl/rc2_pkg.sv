@@ -142,7 +142,7 @@ package rc2_pkg;
 
   typedef struct packed {
     logic              last;   // of the cell
-    logic              empty;  // the cell has nothing to say: z and value mean nothing
+    logic              empty;  // the cell has nothing to say: z and value are 0
     logic [CoordW-1:0] z;
     logic [ValueW-1:0] value;
   } data_t;

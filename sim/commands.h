@@ -25,6 +25,7 @@ void declare_loading(CLI::App& program, ExitCode& exit_code);
 void declare_load_speed(CLI::App& program, ExitCode& exit_code);
 void declare_walk(CLI::App& program, ExitCode& exit_code);
 void declare_diffusion(CLI::App& program, ExitCode& exit_code);
+void declare_difference(CLI::App& program, ExitCode& exit_code);
 void declare_queues(CLI::App& program, ExitCode& exit_code);
 void declare_light_error(CLI::App& program, ExitCode& exit_code);
 void declare_measure(CLI::App& program, ExitCode& exit_code);

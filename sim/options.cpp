@@ -34,22 +34,18 @@ bool SceneOptions::fitted() const {
   return fit.empty() ? !scene::is_generated_name(scene) : fit == "cube";
 }
 
-LightRule RunOptions::rule_of_light() const {
+LightRule LightOptions::rule_of_light() const {
   if (!light_rule.empty()) return parse_light_rule(light_rule);
   return light_mode() == LightMode::fast && rule == "armoured" ? LightRule::accurate
                                                                : LightRule::thesis;
 }
 
-void declare_scene_options(CLI::App& command, SceneOptions& options, const std::string& machine) {
-  options.machine = machine;
+void declare_scene_options(CLI::App& command, SceneOptions& options) {
   command
       .add_option("SCENE", options.scene,
                   "A file that Assimp reads, or a generated scene: empty, room, gallery, ball:R, "
                   "shells:PERCENT[:SEED], dust:PERCENT[:SEED]")
       ->required();
-  command.add_option("--machine", options.machine, "The machine")
-      ->check(CLI::IsMember({"golden", "cycle", "rtl"}))
-      ->capture_default_str();
   command.add_option("--n", options.n, "Cells per side and voxels per column, 2 to 1024")
       ->capture_default_str();
   command
@@ -71,6 +67,13 @@ void declare_scene_options(CLI::App& command, SceneOptions& options, const std::
   command
       .add_option("--seed", options.seed, "Seed of shells:PERCENT and dust:PERCENT named without")
       ->capture_default_str();
+}
+
+void declare_machine_options(CLI::App& command, SceneOptions& options, const std::string& machine) {
+  options.machine = machine;
+  command.add_option("--machine", options.machine, "The machine")
+      ->check(CLI::IsMember({"golden", "cycle", "rtl"}))
+      ->capture_default_str();
   command.add_option("--dump", options.dump, "Write the memories to this CSV file")
       ->type_name("FILE.csv");
 }
@@ -83,8 +86,8 @@ void declare_lights(CLI::App& command, std::vector<std::string>& lights) {
       ->allow_extra_args(false);
 }
 
-void declare_run_options(CLI::App& command, RunOptions& options) {
-  declare_scene_options(command, options, "cycle");
+void declare_light_options(CLI::App& command, LightOptions& options) {
+  declare_scene_options(command, options);
   declare_lights(command, options.lights);
   command
       .add_option("--light-rule", options.light_rule,
@@ -108,6 +111,11 @@ void declare_run_options(CLI::App& command, RunOptions& options) {
       ->check(CLI::IsMember({"on", "off"}))
       ->capture_default_str();
   command.add_option("--fa", options.fa, "Beams that a cell has room for")->capture_default_str();
+}
+
+void declare_run_options(CLI::App& command, RunOptions& options) {
+  declare_light_options(command, options);
+  declare_machine_options(command, options, "cycle");
   command.add_option("--out", options.out, "Folder of picture.png, picture.exr and report.json")
       ->type_name("DIR")
       ->capture_default_str();
@@ -137,18 +145,22 @@ void check_options(SceneOptions& options) {
   complete_seed(options.scene, options.seed);
 }
 
-void check_options(RunOptions& options) {
+void check_options(LightOptions& options) {
   check_options(static_cast<SceneOptions&>(options));
   check_range("--target-distance", options.distance(), 1, kMaxDistance);
   check_range("--fa", options.fa, 1, kMaxQueue);
-  constexpr std::int64_t kLongest = 1'000'000'000'000;
-  check_range<std::int64_t>("--waves-from", options.waves_from, 0, kLongest);
-  check_range<std::int64_t>("--waves-cycles", options.waves_cycles, 1, kLongest);
   if (options.light_rule == "accurate" && options.light_mode() == LightMode::thesis) {
     throw Error(
         "--light-rule accurate: in thesis mode light ends as in the thesis; leave out --mode or "
         "--light-rule");
   }
+}
+
+void check_options(RunOptions& options) {
+  check_options(static_cast<LightOptions&>(options));
+  constexpr std::int64_t kLongest = 1'000'000'000'000;
+  check_range<std::int64_t>("--waves-from", options.waves_from, 0, kLongest);
+  check_range<std::int64_t>("--waves-cycles", options.waves_cycles, 1, kLongest);
   if (!options.waves.empty() && options.machine != "rtl") {
     throw Error(fmt::format("--waves {}: the {} model has no signals to show; use --machine rtl",
                             options.waves, options.machine));

@@ -13,7 +13,7 @@
 
 namespace rc2 {
 
-/// The scene and the machine that it is loaded into: options of run and voxelize.
+/// The scene and the machine that it is loaded into: options of run, voxelize and render.
 struct SceneOptions {
   std::string scene;
   std::string machine;
@@ -29,18 +29,14 @@ struct SceneOptions {
   int feeder_count() const { return feeders.value_or(default_feeders(n)); }
 };
 
-struct RunOptions : SceneOptions {
+/// A scene and its lights: options of run and difference.
+struct LightOptions : SceneOptions {
   std::vector<std::string> lights;
   std::string light_rule;  ///< empty: accurate where the mode and --rule allow it
   std::optional<int> target_distance;
   int fa = 16;
   std::string mode = "fast";
   std::string skip = "on";
-  std::string out = "out";
-  std::string volume;
-  std::string waves;
-  std::int64_t waves_from = 0;
-  std::int64_t waves_cycles = 10000;
 
   LightMode light_mode() const { return parse_light_mode(mode); }
   LightRule rule_of_light() const;
@@ -55,14 +51,27 @@ struct RunOptions : SceneOptions {
   }
 };
 
-/// Declare the options of a command; `machine` is the default one.
-void declare_scene_options(CLI::App& command, SceneOptions& options, const std::string& machine);
+struct RunOptions : LightOptions {
+  std::string out = "out";
+  std::string volume;
+  std::string waves;
+  std::int64_t waves_from = 0;
+  std::int64_t waves_cycles = 10000;
+};
+
+/// Declare the options of a command; of the machine, `machine` is the default one.
+void declare_scene_options(CLI::App& command, SceneOptions& options);
+void declare_machine_options(CLI::App& command, SceneOptions& options, const std::string& machine);
 void declare_lights(CLI::App& command, std::vector<std::string>& lights);
+/// Those of scene and lights.
+void declare_light_options(CLI::App& command, LightOptions& options);
+/// All of RunOptions.
 void declare_run_options(CLI::App& command, RunOptions& options);
 
 /// Throw Error on a value out of range, before any work is done. The first one completes the name
 /// of a generated scene that lacks its seed.
 void check_options(SceneOptions& options);
+void check_options(LightOptions& options);
 void check_options(RunOptions& options);
 
 }  // namespace rc2

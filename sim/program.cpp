@@ -59,6 +59,7 @@ void declare_all(CLI::App& program, ExitCode& exit_code) {
   declare_load_speed(program, exit_code);
   declare_walk(program, exit_code);
   declare_diffusion(program, exit_code);
+  declare_difference(program, exit_code);
   declare_queues(program, exit_code);
   declare_light_error(program, exit_code);
   declare_measure(program, exit_code);

@@ -147,7 +147,8 @@ void declare_render(CLI::App& program, ExitCode& exit_code) {
   options->fraction_bits = kRenderFraction;
   auto* command = program.add_subcommand(
       "render", "Loads a scene, lights it, and follows reflected and refracted rays");
-  declare_scene_options(*command, *options, "golden");
+  declare_scene_options(*command, *options);
+  declare_machine_options(*command, *options, "golden");
   declare_lights(*command, options->lights);
   declare_view(*command, options->view);
   command->add_option("--depth", options->depth, "Bounces of a ray, at most")

@@ -52,7 +52,7 @@ function(rc2_add_rtl name n)
     DEPENDS ${RC2_RTL_SOURCES} ${RC2_RTL_RULES} ${RC2_VERILATED_GLUE}
             ${PROJECT_SOURCE_DIR}/sw/machine/host_port.h ${PROJECT_SOURCE_DIR}/sw/machine/host_word.h ${PROJECT_SOURCE_DIR}/sw/machine/plane.h ${PROJECT_SOURCE_DIR}/sw/machine/readback.h
             ${PROJECT_SOURCE_DIR}/sim/rtl_machine.h
-            ${PROJECT_SOURCE_DIR}/sim/wave_list.h
+            ${PROJECT_SOURCE_DIR}/sim/wave_list.h ${PROJECT_SOURCE_DIR}/sim/queue_watch.h
             ${PROJECT_SOURCE_DIR}/sw/machine/machine.h ${PROJECT_SOURCE_DIR}/sw/machine/queue_history.h ${PROJECT_SOURCE_DIR}/sw/machine/claim.h
             ${PROJECT_SOURCE_DIR}/sw/machine/checks.h ${PROJECT_SOURCE_DIR}/sw/machine/feeder.h ${PROJECT_SOURCE_DIR}/sw/machine/word.h
             ${PROJECT_SOURCE_DIR}/sw/base/config.h

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "sw/machine/machine.h"
@@ -15,6 +17,7 @@ struct WaveWindow {
   std::string path;
   std::int64_t from = 0;
   std::int64_t cycles = 0;
+  std::optional<glm::ivec2> cell{};  ///< to be listed beside it instead of the light's own
 };
 
 /// Loads build/rtl/librc2_rtl_<NAME>.so (beside the program) and resets the machine in it; the name

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "Vrc2_machine.h"
+#include "sim/queue_watch.h"
 #include "sim/rtl_machine.h"
 #include "sim/wave_list.h"
 #include "sw/machine/checks.h"
@@ -100,7 +101,7 @@ class VerilatedMachine final : public Machine {
     write_register(kTargets, static_cast<std::uint32_t>(result.targets.total));
     write_register(kRule, job.rule == LightRule::accurate ? kRuleAccurate : 0);
     if (!waves_.path.empty() && !waves_listed_) {
-      write_wave_list(waves_.path, config_, job.source, cycle_);
+      write_wave_list(waves_.path, config_, job.source, cycle_, waves_.cell);
       waves_listed_ = true;
     }
     if (job.rule == LightRule::accurate) {
@@ -108,6 +109,7 @@ class VerilatedMachine final : public Machine {
       wait_until_idle();
       result.prepare_cycles = read_register(kBusyCycles);
     }
+    lighting_ = true;
     write_register(kCommand, kCommandStart);
 
     std::int64_t home = 0;
@@ -126,6 +128,7 @@ class VerilatedMachine final : public Machine {
                  static_cast<double>(home) / static_cast<double>(result.targets.total));
       }
     } while ((read_register(kStatus) & kStatusBusy) != 0);
+    lighting_ = false;
     step(2 * config_.n + kBusyDelay);  // the last targets' way home
     result.cycles = read_register(kBusyCycles);
     result.home_cycles = read_register(kHomeCycle);
@@ -164,6 +167,11 @@ class VerilatedMachine final : public Machine {
     return result;
   }
 
+  void observe(QueueObserver observer) override {
+    observer_ = std::move(observer);
+    if (!queues_) queues_.emplace(context_, config_);
+  }
+
   VoxelMemory read_voxels() override { return voxels_; }
   LightMemory read_light() override { return light_; }
 
@@ -192,6 +200,7 @@ class VerilatedMachine final : public Machine {
     half(true);
     half(false);
     ++cycle_;
+    if (observer_ && lighting_) observer_(cycle_, queues_->depths());
     if (tracing_ && cycle_ == waves_.from + waves_.cycles) {
       trace_.close();
       tracing_ = false;
@@ -337,6 +346,9 @@ class VerilatedMachine final : public Machine {
   VerilatedFstC trace_;
   bool tracing_ = false;
   bool waves_listed_ = false;
+  bool lighting_ = false;
+  QueueObserver observer_;
+  std::optional<QueueWatch> queues_;
   std::int64_t cycle_ = 0;
   WaveWindow waves_;
   MachineConfig config_;

@@ -86,7 +86,8 @@ void declare_voxelize(CLI::App& program, ExitCode& exit_code) {
   auto options = std::make_shared<VoxelizeOptions>();
   auto* command =
       program.add_subcommand("voxelize", "Loads a scene without lighting it and counts its voxels");
-  declare_scene_options(*command, *options, "golden");
+  declare_scene_options(*command, *options);
+  declare_machine_options(*command, *options, "golden");
   command
       ->add_option("--layers", options->layers,
                    "one: what the facets fill; all: also what is shown, inside solids and guards")

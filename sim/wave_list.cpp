@@ -37,13 +37,11 @@ class SaveFile {
 void list_cell(SaveFile& list, const MachineConfig& config, int x, int y, const std::string& what) {
   const int coordinate = coordinate_bits(config.n);
   const int target = bits_for(config.max_distance + 1) + 1;
-  // Cell (x,y) is g[y+1].c[x+1] in rtl/rc2_grid.sv and rtl/rc2_grid_thesis.sv.
   const bool thesis = config.mode == LightMode::thesis;
-  const std::string cell = fmt::format("rc2.rc2_machine.u_array.{}.u_grid.g[{}].c[{}].n.u_cell.",
-                                       thesis ? 'm' : 'l', y + 1, x + 1);
+  const std::string cell = cell_scope(config, x, y) + '.';
   list.title(fmt::format("Cell ({}, {}): {}", x, y, what));
   list.signal(kBits, cell + "busy_o", 1);
-  list.signal(kDecimal, cell + "queue", queue_bits(config.max_fa));
+  list.signal(kDecimal, cell + "queued", queue_bits(config.max_fa));
   if (thesis) {
     for (const char* field : {"dir", "z"}) {
       list.signal(kDecimal, cell + "u_diffuser.head." + field, field[0] == 'd' ? 3 : coordinate);
@@ -80,8 +78,14 @@ void list_cell(SaveFile& list, const MachineConfig& config, int x, int y, const 
 
 }  // namespace
 
+// Cell (x,y) is g[y+1].c[x+1] in rtl/rc2_grid.sv and rtl/rc2_grid_thesis.sv.
+std::string cell_scope(const MachineConfig& config, int x, int y) {
+  return fmt::format("rc2.rc2_machine.u_array.{}.u_grid.g[{}].c[{}].n.u_cell",
+                     config.mode == LightMode::thesis ? 'm' : 'l', y + 1, x + 1);
+}
+
 void write_wave_list(const std::string& waves, const MachineConfig& config, glm::ivec3 source,
-                     std::int64_t start) {
+                     std::int64_t start, std::optional<glm::ivec2> cell) {
   const std::string machine = "rc2.rc2_machine.";
   const std::int64_t time = start * kWaveTimePerCycle;
   SaveFile list;
@@ -105,9 +109,10 @@ void write_wave_list(const std::string& waves, const MachineConfig& config, glm:
   list.signal(kDecimal, machine + "busy_cycles_q", 32);
   list.signal(kDecimal, machine + "home_q",
               bits_for(24LL * config.max_distance * config.max_distance + 3));
-  list_cell(list, config, source.x, source.y, "the light's own");
-  const int east = source.x + 1 < config.n ? source.x + 1 : source.x - 1;
-  list_cell(list, config, east, source.y, "beside the light");
+  const glm::ivec2 middle = cell.value_or(glm::ivec2(source));
+  list_cell(list, config, middle.x, middle.y, cell ? "asked for" : "the light's own");
+  const int east = middle.x + 1 < config.n ? middle.x + 1 : middle.x - 1;
+  list_cell(list, config, east, middle.y, "beside it");
   list_cell(list, config, 0, 0, "a corner");
 
   const auto path = std::filesystem::path(waves).replace_extension(".gtkw");

@@ -32,10 +32,9 @@ class CycleMachine : public Machine {
   LayerMemory read_layers() override;
   LightMemory read_light() override;
 
-  /// Calls `observer` in every cycle of every light from now on; none if it is empty.
-  void observe(Observer observer) { observer_ = std::move(observer); }
+  void observe(QueueObserver observer) override { observer_ = std::move(observer); }
 
-  /// Likewise in every cycle of every load.
+  /// Calls `observer` in every cycle of every load.
   void observe_load(LoadObserver observer) { load_observer_ = std::move(observer); }
 
  private:
@@ -49,7 +48,7 @@ class CycleMachine : public Machine {
   Columns columns_;
   LightArray light_array_;
   LaneArray lane_array_;
-  Observer observer_;
+  QueueObserver observer_;
   LoadObserver load_observer_;
 };
 

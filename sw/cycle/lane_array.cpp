@@ -41,7 +41,7 @@ void LaneArray::settle() {
   if (skips_) extents_.settle(columns_);
 }
 
-LightResult LaneArray::run(const LightJob& job, const Observer& observer,
+LightResult LaneArray::run(const LightJob& job, const QueueObserver& observer,
                            const Progress& progress) {
   const int kmax = farthest_face(job.source, n_);
   const Classes classes(job.target_distance, kmax + 1);

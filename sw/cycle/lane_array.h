@@ -22,7 +22,7 @@ class LaneArray {
 
   /// Lights the columns. Throws Error if L is too fine for n, std::logic_error if targets are lost
   /// or beams block each other.
-  LightResult run(const LightJob& job, const Observer& observer, const Progress& progress);
+  LightResult run(const LightJob& job, const QueueObserver& observer, const Progress& progress);
 
  private:
   std::int64_t longest_wait() const;

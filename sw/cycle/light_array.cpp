@@ -24,7 +24,7 @@ LightArray::LightArray(int n, Columns& columns)
       history_(columns.size()),
       listed_(columns.size()) {}
 
-LightResult LightArray::run(const LightJob& job, const Observer& observer,
+LightResult LightArray::run(const LightJob& job, const QueueObserver& observer,
                             const Progress& progress) {
   LightResult result;
   result.targets.total = total_targets(job.target_distance);

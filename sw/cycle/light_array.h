@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 #include "sw/cycle/diffuser.h"
@@ -11,16 +10,12 @@
 
 namespace rc2::cycle {
 
-/// Sees each cycle of a light: its number (the first after the start is 1) and, for each cell
-/// y*n + x, the number of beams in its queue as the registers hold it in that cycle.
-using Observer = std::function<void(std::int64_t cycle, const std::vector<std::uint32_t>& queues)>;
-
 class LightArray {
  public:
   LightArray(int n, Columns& columns);
 
   /// Lights the columns. Throws std::logic_error if targets are lost or beams block each other.
-  LightResult run(const LightJob& job, const Observer& observer, const Progress& progress);
+  LightResult run(const LightJob& job, const QueueObserver& observer, const Progress& progress);
 
  private:
   bool step(std::int64_t cycle);

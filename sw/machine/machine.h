@@ -98,6 +98,11 @@ using LightMemory = std::vector<std::uint32_t>;
 /// Called now and then during a long step: the step's name, cycles so far, share done (0..1).
 using Progress = std::function<void(const char* step, std::int64_t cycles, double share)>;
 
+/// Sees a cycle of a light: its number and, for each cell y*n + x, the number of beams in its queue
+/// as the registers hold it in that cycle.
+using QueueObserver =
+    std::function<void(std::int64_t cycle, const std::vector<std::uint32_t>& queues)>;
+
 class Machine {
  public:
   virtual ~Machine() = default;
@@ -109,6 +114,11 @@ class Machine {
 
   /// Forgets the previous light and diffuses this one. The source voxel must be free.
   virtual LightResult light(const LightJob& job, const Progress& progress) = 0;
+
+  /// Calls `observer` in every cycle of every light from now on; none if it is empty. The cycle
+  /// model counts from the start of the light, its first cycle being 1; the Verilated array from
+  /// its reset, beginning with the start of the light. A machine without cycles never calls.
+  virtual void observe(QueueObserver /*observer*/) {}
 
   virtual VoxelMemory read_voxels() = 0;
 

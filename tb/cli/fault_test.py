@@ -3,6 +3,7 @@
 import os
 import pathlib
 import pty
+import re
 import shutil
 import subprocess
 import tempfile
@@ -51,6 +52,35 @@ class Fault(HostTest):
     def test_a_lost_voxel(self):
         first = self.disagree("voxel", voxels=1, lights=1)[0]
         self.assertEqual((first["what"], first["got"]), ("facet", None))
+
+    def difference(self, fault):
+        result = self.rc2("difference", "ball:3", "--n", 8, "--light", "0,0,0", "--waves", "d.fst",
+                          environment={"RC2_TEST_FAULT": fault})
+        self.assertEqual(result.stderr, "")
+        return result
+
+    def test_without_a_fault_there_is_no_difference(self):
+        result = self.difference("")
+        self.assertEqual(result.returncode, 0)
+        self.assertRegex(result.stdout, r"\Ano difference: \d+ voxels, 1 lights, 64 cells in each of \d\d cycles\n\Z")
+        self.assertEqual(self.files(), [])
+
+    def test_the_first_difference_is_named_and_shown(self):
+        result = self.difference("queue")
+        self.assertEqual(result.returncode, DISAGREEMENT)
+        self.assertIn("first difference: light 0 at (0,0,0), cycle 9 (109 since the reset of rtl), cell (3,2)\n", result.stdout)
+        before, then = result.stdout.split("queues around it then")
+        self.assertNotIn("!", before)
+        (expected, got), = re.findall(r"(\d+)/(\d+)!", then)
+        self.assertEqual(int(got), int(expected) + 1)
+        self.assertIn("60 cycles from 89 on", result.stdout)
+        self.assertIn("d.fst", self.files())
+
+    def test_light_that_differs_without_a_queue_is_named_too(self):
+        result = self.difference("light")
+        self.assertEqual(result.returncode, DISAGREEMENT)
+        voxel = re.search(r"rtl and golden: voxel \((\d),(\d),(\d)\), light0: expected", result.stdout)
+        self.assertIn(f"column ({voxel[1]},{voxel[2]}) in the end", result.stdout)
 
     def break_a_law(self, fault, says):
         self.fail_with(BROKEN, *RUN, "--light-rule", "thesis", "--dump", "dump.csv", says=says,

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "sim/rtl_machine.h"
+#include "sw/cycle/cycle_machine.h"
 #include "sw/golden/golden_machine.h"
 
 namespace rc2 {
@@ -20,6 +21,13 @@ class FaultyMachine : public golden::GoldenMachine {
   FaultyMachine(const MachineConfig& config, std::string fault)
       : GoldenMachine(config), fault_(std::move(fault)) {}
 
+  LoadResult load(const facet::PacketStream& packets, const Progress& progress) override {
+    packets_ = packets;
+    return GoldenMachine::load(packets, progress);
+  }
+
+  void observe(QueueObserver observer) override { observer_ = std::move(observer); }
+
   VoxelMemory read_voxels() override {
     VoxelMemory voxels = GoldenMachine::read_voxels();
     if (fault_ == "voxel") voxels.erase(voxels.begin());
@@ -29,6 +37,7 @@ class FaultyMachine : public golden::GoldenMachine {
   }
 
   LightResult light(const LightJob& job, const Progress& progress) override {
+    if (observer_) show_queues(job);
     LightResult result = GoldenMachine::light(job, progress);
     if (fault_ == "slow") {
       std::this_thread::sleep_for(std::chrono::milliseconds(1100));
@@ -54,7 +63,21 @@ class FaultyMachine : public golden::GoldenMachine {
   }
 
  private:
+  // Those of the cycle model, counted from a reset, one of them perhaps a beam too deep in one
+  // cycle.
+  void show_queues(const LightJob& job) {
+    cycle::CycleMachine model(config());
+    model.load(packets_, {});
+    model.observe([&](std::int64_t cycle, std::vector<std::uint32_t> depths) {
+      if (fault_ == "queue" && cycle == 9) ++depths[2 * 8 + 3];
+      observer_(100 + cycle, depths);
+    });
+    model.light(job, {});
+  }
+
   std::string fault_;
+  facet::PacketStream packets_;
+  QueueObserver observer_;
 };
 
 }  // namespace
