@@ -2,8 +2,53 @@
 
 from prove import Fault, Proof
 
+SMALL = (("N", 4), ("LMAX", 8))
+USUAL = (("N", 16), ("LMAX", 64))
+LARGE = (("N", 64), ("LMAX", 256))
+
 PROOFS = [
+    # Buffers
     *(Proof("fifo_order", "same words, same order, same number as a queue that shifts", "rc2_fifo", "induction",
-            Fault("parts/rc2_fifo.sv", "if (pop_i && !push_i) count_q", "if (pop_i) count_q"), 2, params=(("Depth", depth),))
+            Fault("parts/rc2_fifo.sv", "if (pop_i && !push_i) count_q", "if (pop_i) count_q"), 2,
+            params=(("Depth", depth),))
       for depth in (1, 2, 3, 4, 8, 16)),
+    Proof("slot_keeps", "what is accepted is shown unchanged until it is taken", "rc2_slot", "induction",
+          Fault("parts/rc2_slot.sv", "if (valid_i && !valid_q) data_q", "if (valid_i) data_q"), 2),
+    Proof("half_table", "1/2k rounded up, for every k", "rc2_half", "all inputs",
+          Fault("parts/rc2_half.sv", "if (rest != 0) quotient", "if (rest == 0) quotient"), params=(("Most", 16), ("FracW", 16))),
+    # Router
+    Proof("rotate_fair", "who keeps asking waits for at most Ways − 1 others", "rc2_rotate", "induction",
+          Fault("parts/rc2_rotate.sv", "~(grant_o | (grant_o - 1'b1))", "~(grant_o - 1'b1)"), 2, reach=16,
+          params=(("Ways", 9),)),
+    Proof("router_in", "of every beam as many reach the queue as were accepted", "rc2_router", "induction",
+          Fault("net/rc2_router.sv", "arrival_take_i && grant[d]", "arrival_take_i && waiting[d]"), 2, macros=USUAL),
+    Proof("router_out", "a child leaves once, by its link, unchanged until it is taken", "rc2_router, rc2_link",
+          "induction", Fault("net/rc2_link.sv", "beam_q.umin <= u_is_y ? y_min : x_min",
+                             "beam_q.umin <= u_is_y ? x_min : y_min"), 2, macros=USUAL),
+    Proof("source_six", "the six first beams part the surface of the virtual cube", "rc2_source", "bounded",
+          Fault("light/rc2_source.sv", "dir_q[2] ? inner : full", "dir_q[2] ? full : full"), 12, macros=USUAL),
+    # Lanes: fronts, runs, extents
+    *(Proof("matrix_out_goes", "every bit of a front goes where its two classes go", "rc2_matrix_out", "all inputs",
+            Fault("lanes/rc2_matrix_out.sv", "assign y_o[i*M+:M] = u_stay[i*M+:M] >> v_leave_i;",
+                  "assign y_o[i*M+:M] = u_stay[i*M+:M] >> v_stay_i;"), macros=size) for size in (USUAL, LARGE)),
+    *(Proof("matrix_in_joins", "the next front is what has come, then what stayed, along both axes", "rc2_matrix_in",
+            "all inputs", Fault("lanes/rc2_matrix_in.sv", "(came & v_comes)", "came"),
+            macros=size) for size in (USUAL, LARGE)),
+    *(Proof("run_maximal", "the first maximal interval of stops from a voxel on", "rc2_run", "all inputs",
+            Fault("lanes/rc2_run.sv", "assign above = stops_i & ({N{1'b1}} << from_i);", "assign above = stops_i;"),
+            macros=size) for size in (USUAL, LARGE)),
+    *(Proof("extents_hull", "an extent is the hull of its column's and its neighbours'; the light meets those away from it",
+            "rc2_extents", "induction", Fault("lanes/rc2_extents.sv", "(both_max > max_q) ? both_max", "(x_max > max_q) ? x_max"),
+            3, macros=size) for size in (USUAL, LARGE)),
+    # Splitter
+    Proof("ymed_formula", "Y_med equals a real division, rounded down and up, for every k, w, L", "rc2_ymed", "all inputs",
+          Fault("light/rc2_ymed.sv", "scaled[FracW-1:ProdW] == 0", "scaled[FracW-1:0] == 0"), macros=USUAL),
+    Proof("split_axis_parts", "each target is in exactly one part, that of Y_med", "rc2_split_axis", "all inputs",
+          Fault("light/rc2_split_axis.sv", "(min_i > up) ? min_i : up + 1'b1", "(min_i > up) ? min_i : up"), macros=LARGE),
+    Proof("extent_counts", "the numbers of targets served and kept", "rc2_extent", "all inputs",
+          Fault("light/rc2_extent.sv", "ExtentW'(max_i) - ExtentW'(high_min_i) + 1'b1", "ExtentW'(max_i) - ExtentW'(high_min_i)"),
+          macros=LARGE),
+    Proof("splitter_rays", "each target goes to the next voxel of its digital ray, in exactly one child, or leaves the cube",
+          "rc2_splitter", "all inputs", Fault("light/rc2_splitter.sv", "along_z ? !negative : v_served[2]", "along_z ? !negative : v_served[1]"),
+          macros=SMALL),
 ]
