@@ -69,7 +69,7 @@ def read(folder, rtl, proof):
     # checker finds their words by name.
     script = (f"read_verilog -sv -formal {macros} {' '.join(files)}; "
               f"hierarchy -check -top {proof.checker} {params} {search}; proc; memory_map; flatten; "
-              f"setundef -anyseq; opt -full; async2sync; dffunmap; opt_clean; write_smt2 -wires {model}")
+              f"setundef -anyseq; opt -full; wreduce; opt_clean; async2sync; dffunmap; opt_clean; write_smt2 -wires {model}")
     done = subprocess.run(["yosys", "-q", "-w", "^Replacing memory", "-e", ".", "-p", script],
                           capture_output=True, text=True)
     if done.returncode:

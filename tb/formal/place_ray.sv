@@ -2,7 +2,7 @@
 //
 // rc2_place against the definition of a digital ray (thesis 4.3.1): after k steps the ray of target j is at
 // the integer o nearest to j*k/L, ties down: (2o-1)*L < 2*j*k <= (2o+1)*L. The slope is k times 1/L, which
-// the host rounds down.
+// the host rounds down, to a fraction.
 
 module place_ray (
     input logic        [   rc2_pkg::CountW-1:0] step_i,
@@ -21,7 +21,7 @@ module place_ray (
 
   logic [SumW-1:0] one, inverse, sum;
   assign one = SumW'(1) << (SlopeF + CoordW);
-  assign inverse = one / SumW'(distance_i);
+  assign inverse = (distance_i == 1) ? one - 1'b1 : one / SumW'(distance_i);
   assign sum = SumW'(step_i) * inverse;
   logic signed [OffW-1:0] offset;
   rc2_place u_place (

@@ -51,4 +51,14 @@ PROOFS = [
     Proof("splitter_rays", "each target goes to the next voxel of its digital ray, in exactly one child, or leaves the cube",
           "rc2_splitter", "all inputs", Fault("light/rc2_splitter.sv", "along_z ? !negative : v_served[2]", "along_z ? !negative : v_served[1]"),
           macros=SMALL),
+    *(Proof("border_formula", "the border between two voxels, in targets, equals a real division, for every k, w, L",
+            "rc2_ratio, rc2_border", "bounded", Fault("lanes/rc2_border.sv", "~quotient + BorderW'(exact)", "~quotient"), 2,
+            macros=size) for size in (SMALL, USUAL)),
+    *(Proof("place_ray", "a target's voxel is that of its digital ray, for every k and L", "rc2_place", "all inputs",
+            Fault("lanes/rc2_place.sv", "negative ? Half : Half - 1'b1", "Half"), macros=size, fast=size == SMALL)
+      for size in (SMALL, USUAL)),
+    # Loading
+    Proof("dexel_interval", "the dexel is what every word allows, the core likewise, for any packets and stalls",
+          "rc2_dexel", "induction", Fault("load/rc2_dexel.sv", "fits_a ? bit_q", "fits_b ? bit_q"), 2,
+          macros=(("N", 4), ("F", 0)), fast=False),
 ]
