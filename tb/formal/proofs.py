@@ -61,4 +61,10 @@ PROOFS = [
     Proof("dexel_interval", "the dexel is what every word allows, the core likewise, for any packets and stalls",
           "rc2_dexel", "induction", Fault("load/rc2_dexel.sv", "fits_a ? bit_q", "fits_b ? bit_q"), 2,
           macros=(("N", 4), ("F", 0)), fast=False),
+    # The whole array
+    Proof("thesis_light_ends", "no target is lost, the light ends, all targets are home then and not before",
+          "rc2_grid_thesis", "bounded", Fault("light/rc2_diffuser.sv", "assign own_push = go && own;",
+                                              "assign own_push = go && own && (count != 1);"),
+          41, params=(("Cycles", 40),), macros=(("N", 2), ("LMAX", 1), ("FAMAX", 1), ("THESIS", 1)),
+          stubs=("any_voxels",), array=True, fast=False),
 ]
