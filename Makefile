@@ -12,6 +12,7 @@
 ##   oracle    the voxels of 1,500,000 facets against exact arithmetic, as the docs show it
 ##   stress    adversarial scenes and files on all models against exact oracles, as the docs show it
 ##   systemc   the SystemC test benches and the example TLM-2.0 platform, waveforms under out/systemc/
+##   formal    proofs of the RTL's units and of a 2 x 2 array by Yosys, z3 and ABC, as the docs show them
 ##   bench-diffusion  light: cycles by scene, n, source and mode, as the docs show them
 ##   bench-light  light: what differs from the continuous scene, by rule, as the docs show it
 ##   bench     run time against error, also of what one would take instead of the machine; at most 15
@@ -92,7 +93,7 @@ cmake_build := cmake --build build -j $(jobs) --target
 test_sizes := 4 5 8 16
 known_sizes := $(test_sizes) 32
 
-.PHONY: help setup build sim thesis chapter2 bench-load bench-diffusion bench-light bench-render bench report area oracle stress systemc test lint sanitize rtl format clean
+.PHONY: help setup build sim thesis chapter2 bench-load bench-diffusion bench-light bench-render bench report area oracle stress systemc formal test lint sanitize rtl format clean
 .NOTPARALLEL:
 
 help:
@@ -144,6 +145,10 @@ stress: build/build.ninja
 systemc: build/build.ninja
 	$(cmake_build) rc2 rc2_platform systemc_cell systemc_machine rtl_n16
 	@scripts/systemc '$(OUT)/systemc'
+
+formal: setup
+	@scripts/formal '$(OUT)/formal'
+	@cp '$(OUT)/formal/table.md' docs/proofs-table.md
 
 bench-diffusion: build
 	@scripts/bench-diffusion '$(OUT)/bench-diffusion'

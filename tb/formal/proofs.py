@@ -61,6 +61,14 @@ PROOFS = [
     Proof("dexel_interval", "the dexel is what every word allows, the core likewise, for any packets and stalls",
           "rc2_dexel", "induction", Fault("load/rc2_dexel.sv", "fits_a ? bit_q", "fits_b ? bit_q"), 2,
           macros=(("N", 4), ("F", 0)), fast=False),
+    # The end of a light
+    *(Proof("tally_counts", "what has left a cell is what came home to it and ended in it", "rc2_tally", "induction",
+            Fault("light/rc2_tally.sv", "served_q ? area_o - kept : '0", "served_i ? area_o - kept : '0"), 2,
+            macros=(("N", 2), ("LMAX", far)), fast=far == 1) for far in (1, 2)),
+    Proof("arrivals_sum", "a voxel's count is the sum of its arrivals since the start", "rc2_arrivals", "induction",
+          Fault("light/rc2_arrivals.sv", "bypass_q ? bypass_count_q : count_read", "count_read"), 2, macros=SMALL),
+    Proof("pace_steps", "the light goes on until the farthest face or until no cell has any; layers by step", "rc2_pace",
+          "induction", Fault("lanes/rc2_pace.sv", "idle_i && (step_q != 0)", "idle_i"), 2, macros=USUAL),
     # The whole array
     Proof("thesis_light_ends", "no target is lost, the light ends, all targets are home then and not before",
           "rc2_grid_thesis", "bounded", Fault("light/rc2_diffuser.sv", "assign own_push = go && own;",
