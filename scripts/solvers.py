@@ -10,7 +10,7 @@ ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 LIMIT = 1200  # seconds for one question
 # What is undefined may be anything. Memories become registers before they are flattened, so that a
 # checker finds their words by name.
-FLAT = ("proc; memory_map; flatten; setundef -anyseq; opt -full; wreduce; opt_clean; async2sync; dffunmap; "
+FLAT = ("proc; memory_map; flatten; setundef -anyseq; opt; wreduce; opt_clean; async2sync; dffunmap; "
         "opt_clean")
 # The registers of an array may hold anything before the reset, so nothing is asked of the first cycle.
 GATES = ("chformal -assert -skip 1; write_rtlil model.il; techmap; opt -fast; abc -g AND -fast; opt_clean; "

@@ -6,7 +6,7 @@
 // is too much for a solver.
 
 module lanes_light_ends #(
-    parameter int unsigned Cycles = 40
+    parameter int unsigned Cycles = 1
 ) (
     input logic clk_i
 );
@@ -61,7 +61,7 @@ module lanes_light_ends #(
   logic [1:0] quiet_q;
   always_ff @(posedge clk_i) begin
     started_q <= rst_ni && (started_q || cycle_q == Start);
-    if (!started_q || pace_busy || busy != 0) quiet_q <= 2'd0;
+    if (!rst_ni || !started_q || pace_busy || busy != 0) quiet_q <= 2'd0;
     else if (quiet_q != 2'd3) quiet_q <= quiet_q + 1'b1;
     ended_q <= rst_ni && (ended_q || quiet_q == 2'd3);
   end

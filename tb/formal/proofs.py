@@ -75,4 +75,9 @@ PROOFS = [
                                               "assign own_push = go && own && (count != 1);"),
           41, params=(("Cycles", 40),), macros=(("N", 2), ("LMAX", 1), ("FAMAX", 1), ("THESIS", 1)),
           stubs=("any_voxels",), array=True, fast=False),
+    Proof("lanes_light_ends", "the light ends, nothing moves afterwards, every voxel where a target's ray ends is lit",
+          "rc2_grid", "bounded", Fault("lanes/rc2_side_lane.sv", "assign go = !passes || ((wanted & ~room_i) == 0);",
+                                       "assign go = !passes || ((wanted & ~room_i) != wanted);"),
+          41, params=(("Cycles", 40),), macros=(("N", 2), ("LMAX", 2), ("FAMAX", 1), ("COUNTS", 0), ("SKIPS", 0)),
+          stubs=("any_voxels",), array=True, fast=False),
 ]
