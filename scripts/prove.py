@@ -29,7 +29,7 @@ class Proof:
     params: tuple = ()  # of the checker
     macros: tuple = ()  # of rc2_pkg
     stubs: tuple = ()  # files of tb/formal that stand for units of rtl/
-    array: bool = False  # a whole array: bounded, by ABC
+    abc: bool = False  # put to ABC, which bears more gates than z3; bounded only
     fast: bool = True  # also a test of make test
 
     @property
@@ -43,7 +43,7 @@ class Proof:
     @property
     def how(self):
         return {"all inputs": "all inputs", "induction": f"induction, k = {self.depth}",
-                "bounded": f"bounded, {self.depth} cycles{', ABC' if self.array else ''}"}[self.method]
+                "bounded": f"bounded, {self.depth} cycles{', ABC' if self.abc else ''}"}[self.method]
 
 
 def broken_rtl(folder, fault):
@@ -64,7 +64,7 @@ def broken_rtl(folder, fault):
 
 def follow(proof, folder, what, cycles):
     """From the reset on."""
-    if proof.array:
+    if proof.abc:
         ask_abc(folder, what, cycles)
     else:
         ask_z3(folder, what, "-t", str(cycles))

@@ -1,5 +1,5 @@
 """What scripts/formal asks its solvers: Yosys reads a checker with the units that it holds, and z3 (by
-yosys-smtbmc) or ABC, for whole arrays, says whether an assertion can fail."""
+yosys-smtbmc) or ABC, which bears more gates, says whether an assertion can fail."""
 
 import glob
 import os
@@ -12,7 +12,7 @@ LIMIT = 1200  # seconds for one question
 # checker finds their words by name.
 FLAT = ("proc; memory_map; flatten; setundef -anyseq; opt; wreduce; opt_clean; async2sync; dffunmap; "
         "opt_clean")
-# The registers of an array may hold anything before the reset, so nothing is asked of the first cycle.
+# Registers may hold anything before the reset, so nothing is asked of the first cycle.
 GATES = ("chformal -assert -skip 1; write_rtlil model.il; techmap; opt -fast; abc -g AND -fast; opt_clean; "
          "dffunmap; simplemap; aigmap; write_aiger -I -B -zinit -no-startoffset -map model.aim model.aig")
 
@@ -40,7 +40,7 @@ def read(folder, rtl, proof):
     search = " ".join(f"-libdir {level}" for level in (rtl, *sorted(glob.glob(f"{rtl}/*/"))))
     script = (f"read_verilog -sv -formal {macros} {rtl}/rc2_pkg.sv {' '.join(files)}; {params} "
               f"hierarchy -check -top {proof.checker} {search}; {FLAT}; "
-              f"{GATES if proof.array else 'write_smt2 -wires model.smt2'}")
+              f"{GATES if proof.abc else 'write_smt2 -wires model.smt2'}")
     done = run(["yosys", "-q", "-w", "^Replacing memory", "-e", ".", "-p", script], folder, "yosys.txt")
     if done.returncode:
         raise SystemExit(f"scripts/formal: yosys cannot read {proof.checker}: {done.stdout}{done.stderr}")
@@ -58,7 +58,7 @@ def ask_z3(folder, what, *options):
 
 
 def ask_abc(folder, what, depth):
-    """The same of the first `depth` cycles of an array."""
+    """The same of the first `depth` cycles."""
     done = run(["yosys-abc", "-c", f"read_aiger model.aig; fold; strash; bmc3 -F {depth}; write_cex -a {what}.cex"],
                folder, f"{what}.txt")
     if re.search(rf"No output asserted in {depth} frames", done.stdout):
