@@ -15,6 +15,7 @@
 ##   netlist   the machine of 4 x 4 cells in gates, against its RTL with four states (Icarus)
 ##   bus       somebody else's AXI models (cocotbext-axi, from PyPI) on these gates
 ##   systemc   the SystemC test benches and the example TLM-2.0 platform, waveforms under out/systemc/
+##   formal    proofs of the RTL's units and of a 2 x 2 array by Yosys, z3 and ABC, as the docs show them
 ##   bench-diffusion  light: cycles by scene, n, source and mode, as the docs show them
 ##   bench-light  light: what differs from the continuous scene, by rule, as the docs show it
 ##   bench     run time against error, also of what one would take instead of the machine; at most 15
@@ -96,7 +97,7 @@ cmake_build := cmake --build build -j $(jobs) --target
 test_sizes := 4 5 8 16
 known_sizes := $(test_sizes) 32
 
-.PHONY: help setup build sim thesis chapter2 bench-load bench-diffusion bench-light bench-render bench report area oracle stress fuzz netlist bus systemc test lint sanitize rtl format clean
+.PHONY: help setup build sim thesis chapter2 bench-load bench-diffusion bench-light bench-render bench report area oracle stress fuzz netlist bus systemc formal test lint sanitize rtl format clean
 .NOTPARALLEL:
 
 help:
@@ -166,6 +167,10 @@ build-fuzz/build.ninja: | setup
 fuzz: build-fuzz/build.ninja
 	cmake --build build-fuzz -j $(jobs) --target fuzz_scene fuzz_program
 	@scripts/fuzz '$(OUT)/fuzz' '$(SECONDS)'
+
+formal: setup
+	@scripts/formal '$(OUT)/formal'
+	@cp '$(OUT)/formal/table.md' docs/proofs-table.md
 
 bench-diffusion: build
 	@scripts/bench-diffusion '$(OUT)/bench-diffusion'

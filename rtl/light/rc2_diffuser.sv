@@ -43,6 +43,7 @@ module rc2_diffuser (
 
   // ---- The queue -------------------------------------------------------------------------------
   logic [BeamW-1:0] head_bits, push_bits;
+  logic [$clog2(rc2_pkg::FAMAX+1)-1:0] held;
   logic [rc2_pkg::QueueW-1:0] count;
   logic push, pop;
   rc2_fifo #(
@@ -55,8 +56,9 @@ module rc2_diffuser (
       .data_i (push_bits),
       .pop_i  (pop),
       .data_o (head_bits),
-      .count_o(count)
+      .count_o(held)
   );
+  assign count = rc2_pkg::QueueW'(held);
   assign queue_o = count;
 
   // ---- The head beam, or what is left of it ------------------------------------------------------
