@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "Vrc2_machine.h"
+#include "sim/coverage.h"
 #include "sim/rtl_machine.h"
 #include "sim/wave_list.h"
 #include "sw/machine/checks.h"
@@ -58,6 +59,7 @@ class VerilatedMachine final : public Machine {
   ~VerilatedMachine() override {
     if (tracing_) trace_.close();
     top_.final();
+    hand_in_coverage(context_);
   }
   VerilatedMachine(const VerilatedMachine&) = delete;
   VerilatedMachine& operator=(const VerilatedMachine&) = delete;
