@@ -231,8 +231,8 @@ class Source:
                 brackets.append(token.text)
             elif token.text in ")]}":
                 brackets.pop()
-            elif brackets and brackets[-1] == "[" and self.slice_around(i):
-                continue  # a slice of another width would be another expression
+            elif "[" in brackets and (before, self.tokens[i + 1].text) != ("[", "]"):
+                continue  # what is reckoned in an index is where a slice or a word ends: mostly not there
             elif token.text in SWAPS and (binary or token.text in "&|"):
                 yield changed(token.start, token.end, SWAPS[token.text])
             elif token.text in ("!", "~", "-") and not binary:
@@ -241,25 +241,10 @@ class Source:
                 low = self.condition_start(i, first)
                 yield changed(self.tokens[low].start, token.start, f"!({self.words(low, i)}) ")
             elif re.match(r"\d|'[01]", token.text) and before != "'" and self.tokens[i + 1].text != "'":
-                in_index = bool(brackets) and brackets[-1] == "["
                 if brackets and brackets[-1] == "{" and self.tokens[i + 1].text == "{":
                     continue  # a count of copies
-                for constant in other_constants(token.text, in_index):
+                for constant in other_constants(token.text, "[" in brackets):
                     yield changed(token.start, token.end, constant)
-
-    def slice_around(self, i):
-        """Whether the index that token i stands in is a slice."""
-        depth, low = 0, i
-        while depth or self.tokens[low].text != "[":
-            depth += (self.tokens[low].text in ")]}") - (self.tokens[low].text in "([{")
-            low -= 1
-        depth, high = 0, low + 1
-        while depth or self.tokens[high].text != "]":
-            if not depth and self.tokens[high].text in (":", "+:", "-:"):
-                return True
-            depth += (self.tokens[high].text in "([{") - (self.tokens[high].text in ")]}")
-            high += 1
-        return False
 
     def condition_start(self, i, first):
         depth = 0

@@ -14,8 +14,8 @@
 namespace rc2 {
 
 /// Writes the counters of a context's models into a file of its own in the folder that
-/// RC2_COVERAGE_FOLDER names, if any. To be called while the models are there; forgets the counters,
-/// which would dangle.
+/// RC2_COVERAGE_FOLDER names, if any. To be called while the models are there; forgets the
+/// counters, which would dangle.
 inline void hand_in_coverage(VerilatedContext& context) {
 #if VM_COVERAGE
   if (const char* folder = std::getenv("RC2_COVERAGE_FOLDER")) {

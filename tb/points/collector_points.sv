@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What tests must have seen of rc2_collector: words of the row and of those above, the ends of both,
-// moving and held up.
+// moving and held up. A host
+// asks again only when it has the answer, so a row that has ended has nothing to say.
 
 module collector_points (
     input logic       clk_i,
     input logic       rst_ni,
     input logic       row_valid_i,
-    input logic       row_ready_o,
     input logic       row_taken,
     input logic       row_drops,
     input logic       row_ends,
@@ -29,7 +29,6 @@ module collector_points (
       row_end : cover (row_taken && row_ends);
       object_end : cover (row_taken && row_drops);
       row_waits_for_room : cover (row_valid_i && !room && !own_done_q);
-      row_waits_for_those_above : cover (row_valid_i && !row_ready_o && own_done_q);
       word_from_above : cover (above_taken && !above_ends);
       end_from_above : cover (above_taken && above_ends);
       above_waits_for_room : cover (above_valid_i && !room && own_done_q);

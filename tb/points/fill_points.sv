@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What tests must have seen of rc2_fill: claims of every kind against every kind of owner.
+// What tests must have seen of rc2_fill: claims of every kind against every kind of owner. Armour comes
+// before guards (sw/facet/layers.h), so it meets none.
 
 module fill_points (
     input logic                         clk_i,
@@ -8,7 +9,6 @@ module fill_points (
     input logic                         valid_i,
     input logic                         ready_o,
     input logic                         seeks,
-    input logic                         seeking_q,
     input logic                         writing_q,
     input logic                         write_o,
     input logic                         guard_o,
@@ -43,14 +43,13 @@ module fill_points (
                                read_owner_i.distance < written_q.distance);
       owner_has_the_lower_number : cover (armour && occupied && !write_o && read_owner_i.not_core == written_q.not_core &&
                                           read_owner_i.distance == written_q.distance);
-      takes_over_a_guard : cover (armour && !occupied && guard_i[written_z_q]);
       guard_of_an_occupied_voxel : cover (guard && occupied);
       first_guard : cover (guard && !occupied && !guard_i[written_z_q]);
       better_guard : cover (guard && guard_o && guard_i[written_z_q]);
       guard_is_better : cover (guard && !occupied && !guard_o);
       seeks_a_gap : cover (valid_i && ready_o && seeks);
       needs_no_gap : cover (valid_i && ready_o && !seeks);
-      dexel_waits : cover (valid_i && !ready_o && seeking_q);
+      dexel_waits : cover (valid_i && !ready_o);
     end
   end
 endmodule

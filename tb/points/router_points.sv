@@ -34,7 +34,12 @@ module router_points (
       if (rst_ni) begin
         taken : cover (grant[d] && arrival_take_i);
         refused : cover (grant[d] && !arrival_take_i);
-        passed_over : cover (waiting[d] && arrival_take_i && !grant[d]);
+      end
+    end
+    // Light never comes back to its source, whose own beams have nobody beside them.
+    if (d < 8) begin : g_others
+      always_ff @(posedge clk_i) begin
+        if (rst_ni) passed_over : cover (waiting[d] && arrival_take_i && !grant[d]);
       end
     end
   end

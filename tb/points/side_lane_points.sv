@@ -78,12 +78,15 @@ module side_lane_points (
   always_ff @(posedge clk_i) begin
     if (rst_ni) begin
       on_an_edge : cover (serve && beam.edge_u && !source);
-      not_in_the_table : cover (beam_q && !source && !known);
       all_stopped : cover (serve && !passes);
       free_part_goes_on : cover (serve && passes && more);
       last_part_goes_on : cover (serve && passes && !more);
       nothing_left_of_it : cover (load && !left && beyond_i);
     end
+  end
+  // The table is there before the beam as long as no column can have a fourth run.
+  if ((rc2_pkg::N + 1) / 2 > 3) begin : g_late
+    always_ff @(posedge clk_i) if (rst_ni) not_in_the_table : cover (beam_q && !source && !known);
   end
   if (rc2_pkg::SKIPS) begin : g_skips
     always_ff @(posedge clk_i) if (rst_ni) nothing_to_meet : cover (load && !beyond_i);

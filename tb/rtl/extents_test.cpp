@@ -24,7 +24,8 @@ enum Quadrant { kNe, kNw, kSw, kSe };
 Extent away(const std::array<Extent, 4>& quadrants, int dx, int dy) {
   Extent all;
   const auto take = [&](Quadrant quadrant, bool east, bool north) {
-    if ((dx == 0 || (dx > 0) == east) && (dy == 0 || (dy > 0) == north)) all.join(quadrants[quadrant]);
+    if ((dx == 0 || (dx > 0) == east) && (dy == 0 || (dy > 0) == north))
+      all.join(quadrants[quadrant]);
   };
   take(kNe, true, true);
   take(kNw, false, true);

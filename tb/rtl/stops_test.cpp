@@ -1,5 +1,6 @@
-// rc2_stops against the rays themselves (nearest integer to v*k/L, ties down), target by target, for
-// random columns of n = 16, lights, distances, steps and beams, more runs than the table has among them.
+// rc2_stops against the rays themselves (nearest integer to v*k/L, ties down), target by target,
+// for random columns of n = 16, lights, distances, steps and beams, more runs than the table has
+// among them.
 #include <algorithm>
 #include <vector>
 
@@ -130,9 +131,9 @@ class Stops : public testing::Test {
 TEST_F(Stops, EndTheRaysThatMeetThem) {
   for (int round = 0; round < 20000 && !HasFatalFailure(); ++round) {
     const Visit v = draw();
-    SCOPED_TRACE(testing::Message() << "round " << round << " stops " << v.stops << " zs " << v.zs
-                                    << " k " << v.k << " L " << v.distance << " layers " << v.low
-                                    << ".." << v.high);
+    SCOPED_TRACE(testing::Message()
+                 << "round " << round << " stops " << v.stops << " zs " << v.zs << " k " << v.k
+                 << " L " << v.distance << " layers " << v.low << ".." << v.high);
     come(v);
     // All targets whose rays are in the layers that are worth while.
     std::vector<int> here;
@@ -155,7 +156,10 @@ TEST_F(Stops, EndTheRaysThatMeetThem) {
       continue;
     }
     ask(here.front(), here.front());
-    ASSERT_NE(unit.top.known_o, 0);
+    // The runs in the table may all lie below the first target.
+    if (v.runs(std::max(v.first(), 0)) <= kRuns) {
+      ASSERT_NE(unit.top.known_o, 0);
+    }
     ASSERT_EQ(number(unit.top.clip_min_o, kStopW), here.front());
     ASSERT_EQ(number(unit.top.clip_max_o, kStopW), here.back());
     for (int beams = pick(1, 3); beams > 0; --beams) {
