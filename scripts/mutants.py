@@ -3,26 +3,20 @@
 The source with all mutants (a schema) is compiled once; a variable of each instance, taken from RC2_MUTANT in the
 environment when the simulation begins, says which mutant is in force (0: none).
 
-Mutated are right-hand sides, conditions of `if` and inputs of instances: an operator for its neighbour, a constant one
-up or down, a negation or a complement left out, a condition turned round; and registers that are not written. Left
-alone are contracts (assertions), and what is worked out when the design is built: parameters, generate loops, functions.
+An operator becomes its neighbour, a constant one more or less, a negation or a complement is left out, a condition
+turned round, a register not written.
 """
 
 import collections
 import re
 
-Token = collections.namedtuple("Token", "text start end")
+from sv_walk import Walk
+
 Mutant = collections.namedtuple("Mutant", "number unit line before after")  # before, after: the statement
-TOKEN = re.compile(r"(?P<skip>\s+|//[^\n]*|/\*.*?\*/)|\d*'s?[bdh][0-9a-fA-F_]+|'[01]|\d+|[A-Za-z_$][\w$]*|"
-                   r"<<|>>|<=|>=|==|!=|&&|\|\||\+:|-:|::|.", re.DOTALL)
 SWAPS = {"+": "-", "-": "+", "<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "!=", "!=": "==", "&&": "||", "||": "&&",
          "&": "|", "|": "&", "^": "&", "<<": ">>", ">>": "<<"}
 CHOICE = r'$c32("std::getenv(\"RC2_MUTANT\") == nullptr ? 0 : std::atoi(std::getenv(\"RC2_MUTANT\"))")'
 OPERAND_ENDS = re.compile(r"[\w$')\]}]")  # a binary operator stands after one
-
-
-def tokens_of(text):
-    return [Token(m[0], *m.span()) for m in TOKEN.finditer(text) if not m["skip"]]
 
 
 def other_constants(text, in_index):
@@ -41,156 +35,25 @@ def other_constants(text, in_index):
     return [(f"{width}'{base}" if base else "") + shown.format(v) for v in values]
 
 
-class Source:
+class Source(Walk):
     """A module's source, its mutants and its schema."""
 
     def __init__(self, unit, text, first):
-        self.unit, self.text, self.next = unit, text, first
-        contract = text.find("// Contract")
-        self.tokens = tokens_of(text if contract < 0 else text[:contract])
-        self.mutants, self.edits, self.at = [], [], 0
-        while self.here() != "module":
-            self.at += 1
-        while self.here() != ";":
-            self.at += 1
-        self.edits.append((self.tokens[self.at].end, self.tokens[self.at].end,
-                           '\n  int unsigned mutant;\n  initial mutant = ' + CHOICE + ";\n"))
-        self.at += 1
-        while self.at < len(self.tokens) and self.here() != "endmodule":
-            self.item()
+        super().__init__(text)
+        self.unit, self.whole, self.next = unit, text, first
+        self.mutants, self.edits = [], []
+        self.walk()
 
     def schema(self):
-        text = self.text
+        text = self.whole
         for start, end, new in sorted(self.edits, reverse=True):
             text = text[:start] + new + text[end:]
         return text
 
-    # ---- Tokens ----------------------------------------------------------------------------------
-    def here(self):
-        return self.tokens[self.at].text if self.at < len(self.tokens) else ""
+    def meet_header(self, end):
+        after = self.tokens[end - 1].end
+        self.edits.append((after, after, f"\n  int unsigned mutant;\n  initial mutant = {CHOICE};\n"))
 
-    def past(self, *ends):
-        """Moves on to one of `ends` outside all brackets; returns the tokens before it."""
-        first, depth = self.at, 0
-        while self.at < len(self.tokens) and (depth or self.here() not in ends):
-            depth += (self.here() in "([{") - (self.here() in ")]}")
-            self.at += 1
-        return first, self.at
-
-    def brackets(self):
-        """At an opening bracket: the tokens within; moves on behind the closing one."""
-        self.at += 1
-        inside = self.past(")")
-        self.at += 1
-        return inside
-
-    def words(self, first, last):
-        return self.text[self.tokens[first].start:self.tokens[last - 1].end] if last > first else ""
-
-    # ---- The grammar, as far as it is needed -----------------------------------------------------
-    def item(self):
-        word = self.here()
-        if word == "assign":
-            first = self.at
-            self.past("=")
-            self.at += 1
-            self.expression(*self.past(";"), first)
-            self.at += 1
-        elif word in ("always_ff", "always_comb"):
-            self.at += 1
-            if self.here() == "@":
-                self.at += 1
-                self.brackets()
-            self.statement()
-        elif word in ("for", "if"):  # worked out when the design is built
-            self.at += 1
-            self.brackets()
-            self.block(self.item)
-            if self.here() == "else":
-                self.at += 1
-                if self.here() == "if":
-                    self.item()
-                else:
-                    self.block(self.item)
-        elif word == "function":
-            while self.here() != "endfunction":
-                self.at += 1
-            self.at += 1
-        elif word.startswith("rc2_") and self.tokens[self.at + 1].text != "::":
-            self.instance()
-        else:
-            self.past(";")
-            self.at += 1
-
-    def block(self, inner):
-        if self.here() != "begin":
-            inner()
-            return
-        self.at += 1
-        if self.here() == ":":
-            self.at += 2
-        while self.at < len(self.tokens) and self.here() != "end":
-            inner()
-        self.at += 1
-
-    def instance(self):
-        while self.here() != "(" or self.tokens[self.at - 1].text == "#":
-            if self.here() == "(":
-                self.brackets()
-            else:
-                self.at += 1
-        self.at += 1
-        while self.here() != ")":
-            first = self.at
-            self.past("(")
-            self.at += 1
-            inside = self.past(")")
-            self.at += 1
-            if self.tokens[first + 1].text.endswith("_i"):
-                self.expression(*inside, first, self.at)
-            self.at += self.here() == ","
-        self.at += 2
-
-    def statement(self):
-        word = self.here()
-        if word == "begin":
-            self.block(self.statement)
-        elif word == "if":
-            first = self.at
-            self.at += 1
-            inside = self.brackets()
-            self.expression(*inside, first, self.at, condition=True)
-            self.statement()
-            if self.here() == "else":
-                self.at += 1
-                self.statement()
-        elif word == "for":
-            self.at += 1
-            self.brackets()
-            self.statement()
-        elif word == "case":
-            self.at += 1
-            self.brackets()
-            while self.here() != "endcase":
-                self.past(":")
-                self.at += 1
-                self.statement()
-            self.at += 1
-        elif word == ";":
-            self.at += 1
-        else:
-            first = self.at
-            self.past("=", "<=")
-            register = self.here() == "<="
-            self.at += 1
-            self.expression(*self.past(";"), first)
-            self.at += 1
-            if register:
-                number = self.add(first, self.at, "(not written)")
-                self.edits.append((self.tokens[first].start, self.tokens[first].start, f"begin if (mutant != {number}) "))
-                self.edits.append((self.tokens[self.at - 1].end, self.tokens[self.at - 1].end, " end"))
-
-    # ---- Mutants -----------------------------------------------------------------------------------
     def add(self, first, last, after):
         line = self.text.count("\n", 0, self.tokens[first].start) + 1
         squeeze = lambda text: " ".join(text.split())
@@ -198,9 +61,12 @@ class Source:
         self.next += 1
         return self.next - 1
 
-    def expression(self, first, last, statement, end=None, condition=False):
-        """Mutates the tokens first .. last of the statement that goes from `statement` to `end`."""
-        end = end or last
+    def meet_register(self, first, last):
+        number = self.add(first, last, "(not written)")
+        self.edits.append((self.tokens[first].start, self.tokens[first].start, f"begin if (mutant != {number}) "))
+        self.edits.append((self.tokens[last - 1].end, self.tokens[last - 1].end, " end"))
+
+    def meet_expression(self, first, last, statement, end, condition):
         if first == last:
             return
         start, stop = self.tokens[first].start, self.tokens[last - 1].end
@@ -228,9 +94,12 @@ class Source:
             token, before = self.tokens[i], self.tokens[i - 1].text
             binary = i > first and OPERAND_ENDS.match(before[-1]) and before not in ("return",)
             if token.text in "([{":
-                brackets.append(token.text)
+                copies = token.text == "(" and before == "{" and self.closes(i) == "){"
+                brackets.append("copies" if copies else token.text)
             elif token.text in ")]}":
                 brackets.pop()
+            elif "copies" in brackets:
+                continue  # how often something is repeated is a width
             elif "[" in brackets and (before, self.tokens[i + 1].text) != ("[", "]"):
                 continue  # what is reckoned in an index is where a slice or a word ends: mostly not there
             elif token.text in SWAPS and (binary or token.text in "&|"):
@@ -245,6 +114,15 @@ class Source:
                     continue  # a count of copies
                 for constant in other_constants(token.text, "[" in brackets):
                     yield changed(token.start, token.end, constant)
+
+    def closes(self, i):
+        """The bracket that closes the one at token i, and what follows it."""
+        depth = 0
+        while True:
+            depth += (self.tokens[i].text in "([{") - (self.tokens[i].text in ")]}")
+            i += 1
+            if not depth:
+                return self.tokens[i - 1].text + self.tokens[i].text
 
     def condition_start(self, i, first):
         depth = 0
