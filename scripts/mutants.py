@@ -94,12 +94,13 @@ class Source(Walk):
             token, before = self.tokens[i], self.tokens[i - 1].text
             binary = i > first and OPERAND_ENDS.match(before[-1]) and before not in ("return",)
             if token.text in "([{":
-                copies = token.text == "(" and before == "{" and self.closes(i) == "){"
-                brackets.append("copies" if copies else token.text)
+                ends = self.closes(i) if token.text == "(" else ""
+                width = ends == ")'" or (ends == "){" and before == "{")
+                brackets.append("width" if width else token.text)
             elif token.text in ")]}":
                 brackets.pop()
-            elif "copies" in brackets:
-                continue  # how often something is repeated is a width
+            elif "width" in brackets:
+                continue  # of a cast, or how often something is repeated
             elif "[" in brackets and (before, self.tokens[i + 1].text) != ("[", "]"):
                 continue  # what is reckoned in an index is where a slice or a word ends: mostly not there
             elif token.text in SWAPS and (binary or token.text in "&|"):

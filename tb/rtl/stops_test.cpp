@@ -70,6 +70,7 @@ class Stops : public testing::Test {
     unit.top.high_i = static_cast<CData>(v.high);
     unit.tick();
     unit.top.start_i = 0;
+    expect_no_answer();
     unit.tick();
     unit.top.set_i = 1;
     unit.top.ratio_i = static_cast<IData>(((v.distance << kRatioF) + 2 * v.k - 1) / (2 * v.k));
@@ -78,6 +79,22 @@ class Stops : public testing::Test {
     unit.top.set_i = 0;
     unit.top.ratio_i = static_cast<IData>(pick(0, 1 << 16));
     unit.top.slope_i = static_cast<IData>(pick(0, 1 << 16));
+  }
+
+  /// Nothing is known until a light has come.
+  void expect_no_answer() {
+    ask(0, 0);
+    ASSERT_EQ(unit.top.known_o, 0);
+    unit.top.ask_i = 0;
+  }
+
+  void reset() {
+    unit.top.rst_ni = 0;
+    unit.tick();
+    unit.top.rst_ni = 1;
+    unit.settle();
+    ASSERT_EQ(unit.top.busy_o, 0);
+    expect_no_answer();
   }
 
   void ask(int min, int max) {
@@ -112,6 +129,10 @@ class Stops : public testing::Test {
       unit.top.mark_i = 1;
       unit.tick();
       unit.top.mark_i = 0;
+      // The next beam may be there by now.
+      unit.top.ask_i = 0;
+      unit.top.min_i = static_cast<CData>(pick(0, 255));
+      unit.top.max_i = static_cast<CData>(pick(0, 255));
       ASSERT_EQ(unit.top.busy_o, 1);
       ASSERT_EQ(unit.top.marks_o, 0);
       unit.tick();
@@ -166,6 +187,14 @@ TEST_F(Stops, EndTheRaysThatMeetThem) {
       const int min = pick(here.front(), here.back());
       ASSERT_NO_FATAL_FAILURE(pass(v, dice.chance(30) ? here.front() : min,
                                    dice.chance(30) ? here.back() : pick(min, here.back())));
+      ASSERT_EQ(number(unit.top.clip_min_o, kStopW), here.front());
+      ASSERT_EQ(number(unit.top.clip_max_o, kStopW), here.back());
+    }
+    if (dice.chance(10)) {
+      unit.top.mark_i = 1;
+      for (int i = pick(1, 2); i > 0; --i) unit.tick();
+      unit.top.mark_i = 0;
+      ASSERT_NO_FATAL_FAILURE(reset());
     }
     unit.top.ask_i = 0;
     unit.tick();

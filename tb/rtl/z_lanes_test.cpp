@@ -121,6 +121,11 @@ TEST(ZLanes, MoveEveryBitAsItsClassesGo) {
       front = last ? 0 : next;
     }
   }
+  for (int power_on = 0; power_on < 20; ++power_on) {
+    rc2::tb::Clocked<Vtop> fresh;
+    fresh.settle();
+    ASSERT_EQ(fresh.top.busy_o, 0);
+  }
   EXPECT_GT(stopped, 500);
   EXPECT_GT(dropped, 500);
   EXPECT_GT(passed, 500);
