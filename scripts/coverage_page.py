@@ -55,7 +55,7 @@ def holes(counts, root, reasons):
             text = source[run[0] - 1].strip()
             unused.discard((file, text))
             where = f"{file}:{run[0]}" + (f"–{run[-1]}" if len(run) > 1 else "")
-            rows.append((where, f"`{text}`", reasons.get(file, {}).get(text, "**no reason given**")))
+            rows.append((where, "`" + text.replace("|", "\\|") + "`", reasons.get(file, {}).get(text, "**no reason given**")))
     if unused:
         raise SystemExit(f"tb/points/holes.json: these are no holes, take them out: {sorted(unused)}")
     return rows
