@@ -25,11 +25,15 @@
 ##             network, as the docs show them
 ##   area      what a cell costs: area, clock, area times time, as the docs show it
 ##   test      every test; the last line is their summary
+##   coverage  lines, branches, toggles and functional points that the tests go through, RTL and C++:
+##             out/coverage/index.html, and as the docs show it
+##   mutation  whether the tests notice a mistake in the RTL, as the docs show it; FULL=1 tries all; goes on
+##             where it was interrupted
 ##   lint      verilator -Wall, yosys on every module alone, clang-format, clang-tidy
 ##   sanitize  the software's tests with address and undefined-behaviour sanitizers
 ##   rtl       the Verilated array of side N, build/rtl/librc2_rtl_nN.so
 ##   format    lays out the C++ files as lint wants them
-##   clean     removes build, build-fuzz, build-sanitize, out and report
+##   clean     removes the build folders, out and report
 ##
 ## Words for sim (N and MODE also for rtl)
 ##   MACHINE=rtl    rtl, cycle (cycle model) or golden (no notion of time)
@@ -45,7 +49,7 @@
 ##   MODE=fast      how light spreads: fast, in lanes; thesis, voxel by voxel (also for rtl)
 ##   OUT=out        folder of the results
 ##
-## Words for bench: FULL=1 for the large one, SEED=1 of generated scenes
+## Words for bench: FULL=1 for the large one, SEED=1 of generated scenes; for mutation the same of mutants
 ##   A word left empty means the default of build/rc2 run --help. With MACHINE=rtl the same scene
 ##   is also lit by the cycle model with 128 cells per side, for a picture worth looking at.
 ##
@@ -97,7 +101,7 @@ cmake_build := cmake --build build -j $(jobs) --target
 test_sizes := 4 5 8 16
 known_sizes := $(test_sizes) 32
 
-.PHONY: help setup build sim thesis chapter2 bench-load bench-diffusion bench-light bench-render bench report area oracle stress fuzz netlist bus systemc formal test lint sanitize rtl format clean
+.PHONY: help setup build coverage mutation sim thesis chapter2 bench-load bench-diffusion bench-light bench-render bench report area oracle stress fuzz netlist bus systemc formal test lint sanitize rtl format clean
 .NOTPARALLEL:
 
 help:
@@ -112,6 +116,9 @@ build/build.ninja: | setup
 
 build-sanitize/build.ninja: | setup
 	cmake --log-level=NOTICE -S . -B build-sanitize -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo -DRC2_SANITIZE=ON
+
+build-coverage/build.ninja: | setup
+	cmake --log-level=NOTICE -S . -B build-coverage -G Ninja -DCMAKE_BUILD_TYPE=Release -DRC2_COVERAGE=ON '-DRC2_TESTED_SIZES=4;5'
 
 build: build/build.ninja
 	$(cmake_build) rc2
@@ -195,6 +202,14 @@ test: build/build.ninja
 	$(cmake_build) all $(test_sizes:%=rtl_n%) $(test_sizes:%=rtl_thesis_n%)
 	@scripts/test build
 
+coverage: build-coverage/build.ninja
+	@scripts/setup coverage
+	cmake --build build-coverage -j $(jobs) --target tb/unit/all tb/load/all tb/rtl/all systemc_cell systemc_machine
+	@scripts/coverage build-coverage '$(OUT)/coverage'
+
+mutation: setup
+	@scripts/mutation '$(OUT)/mutation' --seed '$(SEED)' --mutants $(if $(filter 1,$(FULL)),0,40)
+
 # clang-tidy reads headers that the build generates.
 lint: build/build.ninja
 	$(cmake_build) all
@@ -209,4 +224,4 @@ format: setup
 	find sw sim tb -name '*.h' -o -name '*.cpp' | xargs -r clang-format -i
 
 clean:
-	rm -rf build build-fuzz build-sanitize out report .snakemake
+	rm -rf build build-coverage build-fuzz build-mutation build-sanitize out report .snakemake

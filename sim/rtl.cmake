@@ -6,24 +6,37 @@ set(RC2_RTL_F 4 CACHE STRING "Fraction bits of the Verilated machines")
 
 find_program(VERILATOR verilator REQUIRED)
 
+# The RTL is read from here; scripts/mutation has a copy that it breaks.
+set(RC2_RTL_FOLDER ${PROJECT_SOURCE_DIR}/rtl CACHE PATH "Folder of the RTL")
 # A module comes after those it uses: package, parts, units, column, cell, array, machine.
-set(RC2_RTL_SOURCES ${PROJECT_SOURCE_DIR}/rtl/rc2_pkg.sv)
+set(RC2_RTL_SOURCES ${RC2_RTL_FOLDER}/rc2_pkg.sv)
 foreach(level parts load light lanes net)
-  file(GLOB modules CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/rtl/${level}/*.sv)
+  file(GLOB modules CONFIGURE_DEPENDS ${RC2_RTL_FOLDER}/${level}/*.sv)
   list(APPEND RC2_RTL_SOURCES ${modules})
 endforeach()
 foreach(module column voxels cell cell_thesis grid grid_thesis array machine)
-  list(APPEND RC2_RTL_SOURCES ${PROJECT_SOURCE_DIR}/rtl/rc2_${module}.sv)
+  list(APPEND RC2_RTL_SOURCES ${RC2_RTL_FOLDER}/rc2_${module}.sv)
 endforeach()
 set(RC2_VERILATED_GLUE ${PROJECT_SOURCE_DIR}/sim/verilated_machine.cpp
                        ${PROJECT_SOURCE_DIR}/sim/wave_list.cpp
                        ${PROJECT_SOURCE_DIR}/sw/machine/feeder.cpp
                        ${PROJECT_SOURCE_DIR}/sw/machine/checks.cpp)
-set(RC2_RTL_RULES ${PROJECT_SOURCE_DIR}/rtl/trace.vlt ${PROJECT_SOURCE_DIR}/rtl/rc2.vlt)
+set(RC2_RTL_RULES ${RC2_RTL_FOLDER}/trace.vlt ${RC2_RTL_FOLDER}/rc2.vlt)
+
+# What tests must have seen of the units (docs/coverage.md); costs little in a small array.
+file(GLOB points CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tb/points/*.sv)
+set(RC2_RTL_POINTS ${PROJECT_SOURCE_DIR}/tb/points/points.vlt ${points})
+# What a build counts that is there to count (make coverage).
+set(RC2_RTL_COUNTED)
+set(RC2_RTL_TOGGLES)
+if(RC2_COVERAGE)
+  set(RC2_RTL_COUNTED --coverage-line)
+  set(RC2_RTL_TOGGLES --coverage-toggle)
+endif()
 
 # -O1: as fast as -O2 and quicker to build; the slow path runs once. Waves cost nothing until they
 # are switched on, so every library can write them. An assertion knows its place in the hierarchy
-# and so gives each cell a body of its own: only the small arrays have them.
+# and so gives each cell a body of its own: only the small arrays have them, and the points.
 set(RC2_VERILATOR_FLAGS -Wall -O3 --x-assign fast --x-initial fast --trace-fst --trace-structs)
 set(RC2_ASSERTED_UP_TO 5)
 set(RC2_VERILATED_MAKE OPT_FAST=-O1 OPT_SLOW=-O0)
@@ -34,9 +47,15 @@ endif()
 # rc2_add_rtl(NAME N [MACRO=VALUE ...])
 function(rc2_add_rtl name n)
   list(TRANSFORM ARGN PREPEND -DRC2_ OUTPUT_VARIABLE defines)
-  set(assertions --noassert)
+  set(checks --noassert ${RC2_RTL_COUNTED})
   if(n LESS_EQUAL RC2_ASSERTED_UP_TO)
-    set(assertions --assert)
+    set(checks --assert ${RC2_RTL_COUNTED} --coverage-user ${RC2_RTL_POINTS})
+  endif()
+  # Toggles take much code for each cell: the smallest array in lanes must do.
+  set(make_words ${RC2_VERILATED_MAKE})
+  if(RC2_COVERAGE AND name STREQUAL n4)
+    list(APPEND checks ${RC2_RTL_TOGGLES})
+    list(APPEND make_words OPT_FAST=-O0)
   endif()
   set(folder ${CMAKE_BINARY_DIR}/rtl/${name})
   set(library ${CMAKE_BINARY_DIR}/rtl/librc2_rtl_${name}.so)
@@ -44,15 +63,15 @@ function(rc2_add_rtl name n)
     OUTPUT ${library}
     COMMAND ${CMAKE_COMMAND} -E rm -rf ${folder}
     COMMAND
-      ${VERILATOR} --cc --exe ${RC2_VERILATOR_FLAGS} ${assertions} -DRC2_N=${n} ${defines}
-      --top-module rc2_machine ${RC2_RTL_RULES} ${RC2_RTL_SOURCES} --Mdir ${folder} -o ${library}
+      ${VERILATOR} --cc --exe ${RC2_VERILATOR_FLAGS} -DRC2_N=${n} ${defines}
+      --top-module rc2_machine ${RC2_RTL_RULES} ${RC2_RTL_SOURCES} ${checks} --Mdir ${folder} -o ${library}
       -CFLAGS "-std=c++17 -fPIC -I${PROJECT_SOURCE_DIR}" -LDFLAGS "-shared -lfmt"
       ${RC2_VERILATED_GLUE}
-    COMMAND make --silent --no-print-directory -j2 -C ${folder} -f Vrc2_machine.mk ${RC2_VERILATED_MAKE} > ${folder}.log
+    COMMAND make --silent --no-print-directory -j2 -C ${folder} -f Vrc2_machine.mk ${make_words} > ${folder}.log
     DEPENDS ${RC2_RTL_SOURCES} ${RC2_RTL_RULES} ${RC2_VERILATED_GLUE}
             ${PROJECT_SOURCE_DIR}/sw/machine/host_port.h ${PROJECT_SOURCE_DIR}/sw/machine/host_word.h ${PROJECT_SOURCE_DIR}/sw/machine/plane.h ${PROJECT_SOURCE_DIR}/sw/machine/readback.h
-            ${PROJECT_SOURCE_DIR}/sim/rtl_machine.h
-            ${PROJECT_SOURCE_DIR}/sim/wave_list.h ${PROJECT_SOURCE_DIR}/sim/queue_watch.h
+            ${PROJECT_SOURCE_DIR}/sim/coverage.h ${PROJECT_SOURCE_DIR}/sim/rtl_machine.h ${RC2_RTL_POINTS}
+            ${PROJECT_SOURCE_DIR}/sim/queue_watch.h ${PROJECT_SOURCE_DIR}/sim/wave_list.h
             ${PROJECT_SOURCE_DIR}/sw/machine/machine.h ${PROJECT_SOURCE_DIR}/sw/machine/queue_history.h ${PROJECT_SOURCE_DIR}/sw/machine/claim.h
             ${PROJECT_SOURCE_DIR}/sw/machine/checks.h ${PROJECT_SOURCE_DIR}/sw/machine/feeder.h ${PROJECT_SOURCE_DIR}/sw/machine/word.h
             ${PROJECT_SOURCE_DIR}/sw/base/config.h

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "Vrc2_machine.h"
+#include "sim/coverage.h"
 #include "sim/queue_watch.h"
 #include "sim/rtl_machine.h"
 #include "sim/wave_list.h"
@@ -59,6 +60,7 @@ class VerilatedMachine final : public Machine {
   ~VerilatedMachine() override {
     if (tracing_) trace_.close();
     top_.final();
+    hand_in_coverage(context_);
   }
   VerilatedMachine(const VerilatedMachine&) = delete;
   VerilatedMachine& operator=(const VerilatedMachine&) = delete;

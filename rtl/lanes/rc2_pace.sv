@@ -77,7 +77,7 @@ module rc2_pace (
   logic [SlopeW+CoordW-1:0] slope_q;
   rc2_ratio u_ratio (
       .clk_i     (clk_i),
-      .step_i    (tick_o ? coming_q + 1'b1 : coming_q),
+      .step_i    (coming_q),  // steady for the cycle before a tick
       .distance_i(light_i.distance),
       .ratio_o   (ratio)
   );

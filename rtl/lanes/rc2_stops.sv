@@ -109,8 +109,9 @@ module rc2_stops (
       .last_o (high_border)
   );
   assign far = $signed(StopW'(distance_i));
-  assign low_target = (low_z > steps) ? far + 1'b1 : (low_z <= -steps) ? -far : low_border + 1'b1;
-  assign high_target = (high_z > steps) ? far + 1'b1 : (high_z <= -steps) ? -far : high_border + 1'b1;
+  // No run begins above the voxels that rays can be at, and none ends below them.
+  assign low_target = (low_z <= -steps) ? -far : low_border + 1'b1;
+  assign high_target = (high_z > steps) ? far + 1'b1 : high_border + 1'b1;
 
   // ---- The table ---------------------------------------------------------------------------------
   logic [RunsW-1:0] count_q;

@@ -150,15 +150,15 @@ module rc2_splitter (
   assign split_o.u_mid_max = $unsigned(u_mid_max);
   assign split_o.u_high_min = $unsigned(u_high_min);
   assign split_o.u_high_max = beam_i.umax;
-  // A side beam's children all take the V part that is served, so it stands in all three places.
-  logic [TargetW-1:0] v_min, v_max;
-  assign v_min = v_served[0] ? beam_i.vmin : v_served[1] ? $unsigned(v_mid_min) : $unsigned(v_high_min);
+  // A side beam's children all take the V part that is served, so it stands in all three places. It is
+  // the lowest part, so it begins where the beam does.
+  logic [TargetW-1:0] v_max;
   assign v_max = v_served[0] ? $unsigned(v_low_max) : v_served[1] ? $unsigned(v_mid_max) : beam_i.vmax;
-  assign split_o.v_low_min = along_z ? beam_i.vmin : v_min;
+  assign split_o.v_low_min = beam_i.vmin;
   assign split_o.v_low_max = along_z ? $unsigned(v_low_max) : v_max;
-  assign split_o.v_mid_min = along_z ? $unsigned(v_mid_min) : v_min;
+  assign split_o.v_mid_min = along_z ? $unsigned(v_mid_min) : beam_i.vmin;
   assign split_o.v_mid_max = along_z ? $unsigned(v_mid_max) : v_max;
-  assign split_o.v_high_min = along_z ? $unsigned(v_high_min) : v_min;
+  assign split_o.v_high_min = along_z ? $unsigned(v_high_min) : beam_i.vmin;
   assign split_o.v_high_max = along_z ? beam_i.vmax : v_max;
 
   // ---- How many targets that is ----------------------------------------------------------------

@@ -251,6 +251,32 @@ INSTANTIATE_TEST_SUITE_P(Machines, RandomScenes,
                                          Draws{"thesis_n16", 20}),
                          name_of);
 
+class Layers : public testing::TestWithParam<const char*> {};
+
+// Every second layer is full, so a column has as many runs of stops as there can be: more than a
+// cell keeps at hand from n = 13 on.
+TEST_P(Layers, StopLightInEveryColumn) {
+  Machines& machines = machines_of(GetParam());
+  const int n = machines.rtl->config().n;
+  Dice dice(static_cast<std::uint64_t>(n));
+  for (int first = 0; first < 2; ++first) {
+    facet::PacketStream packets;
+    for (int z = first; z < n; z += 2)
+      add_packet(packets, static_cast<std::uint32_t>(z), {0, 0, z}, {n - 1, n - 1, z});
+    ASSERT_NO_FATAL_FAILURE(load_everywhere(machines, packets));
+    for (int light = 0; light < 6; ++light) {
+      glm::ivec3 source;
+      ASSERT_TRUE(pick_source(dice, n, machines.golden.read_voxels(), source));
+      ASSERT_NO_FATAL_FAILURE(
+          light_everywhere(machines, {source, pick(dice, n - 1, 4 * n), pick(dice, 1, 32)}));
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Machines, Layers,
+                         testing::Values("n4", "n5", "n8", "n16", "thesis_n4", "thesis_n5"),
+                         [](const auto& name) { return std::string(name.param); });
+
 class RealScenes : public testing::TestWithParam<const char*> {};
 
 TEST_P(RealScenes, AgreeOnAllThreeMachines) {

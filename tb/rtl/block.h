@@ -7,11 +7,26 @@
 #include <cstdint>
 
 #include "Vtop.h"
+#include "sim/coverage.h"
 #include "tb/load/dice.h"
 
 namespace rc2::tb {
 
 using facet::Dice;
+
+/// Registers begin with whatever they happen to hold: only a reset makes sense of them.
+struct PowerOn {
+  PowerOn() { Verilated::threadContextp()->randReset(2); }
+};
+
+/// A Verilated module.
+template <class Top>
+struct Module : PowerOn, Top {
+  ~Module() {
+    this->final();
+    hand_in_coverage(*this->contextp());
+  }
+};
 
 /// A Verilated module with a clock and a reset.
 template <class Top>
@@ -22,7 +37,6 @@ class Clocked {
     tick();
     top.rst_ni = 1;
   }
-  ~Clocked() { top.final(); }
   Clocked(const Clocked&) = delete;
   Clocked& operator=(const Clocked&) = delete;
 
@@ -38,7 +52,7 @@ class Clocked {
     settle();
   }
 
-  Top top;
+  Module<Top> top;
 };
 
 /// Low `width` bits of a possibly negative number.

@@ -7,7 +7,7 @@ namespace {
 
 TEST(Border, IsTheLastTargetBelow) {
   constexpr int kN = 16, kLmax = 4 * kN, kFractionBits = 11, kOddBits = 6, kBorderBits = 9;
-  Vtop border;
+  rc2::tb::Module<Vtop> border;
   for (int k = 1; k <= kN; ++k) {
     for (int distance = 1; distance <= kLmax; ++distance) {
       const std::int64_t exact = std::int64_t{distance} << kFractionBits;
@@ -25,7 +25,6 @@ TEST(Border, IsTheLastTargetBelow) {
       }
     }
   }
-  border.final();
 }
 
 }  // namespace

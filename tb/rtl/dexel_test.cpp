@@ -74,7 +74,11 @@ TEST(Dexel, EqualsTheExactInterval) {
     unit.top.kind_i = static_cast<CData>(word.kind);
     const std::uint64_t low = limbs[0] | static_cast<std::uint64_t>(limbs[1]) << 32;
     unit.top.rest_i = low & ((1ULL << format.rest) - 1);
-    for (bool taken = false; !taken && !testing::Test::HasFatalFailure();) tick(taken);
+    bool taken = false;
+    for (int waited = 0; !taken && !testing::Test::HasFatalFailure(); ++waited) {
+      ASSERT_LT(waited, 1000) << "it hangs";
+      tick(taken);
+    }
     unit.top.valid_i = 0;
   };
   // Small coefficients meet the exact multiples, large ones the ends of the widths.

@@ -55,7 +55,11 @@ class Stage : public testing::Test {
   void send(const Packed& word) {
     stage.top.valid_i = 1;
     stage.top.word_i = pack(word);
-    for (bool taken = false; !taken && !HasFatalFailure();) tick(taken);
+    bool taken = false;
+    for (int waited = 0; !taken && !HasFatalFailure(); ++waited) {
+      ASSERT_LT(waited, 1000) << "it hangs";
+      tick(taken);
+    }
     stage.top.valid_i = 0;
   }
 

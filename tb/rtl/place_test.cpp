@@ -12,7 +12,7 @@ TEST(Place, IsWhereTheRayIs) {
   config.max_distance = 64;
   constexpr int kTargetBits = 8, kOffsetBits = 5;
   const int extra = rc2::coordinate_bits(config.n);
-  Vtop place;
+  rc2::tb::Module<Vtop> place;
   for (int distance = 1; distance <= config.max_distance; ++distance) {
     const std::uint64_t inverse = rc2::host_port::inverse_of(distance, rc2::inverse_bits(config));
     for (int k = 1; k < config.n; ++k) {
@@ -26,7 +26,6 @@ TEST(Place, IsWhereTheRayIs) {
       }
     }
   }
-  place.final();
 }
 
 }  // namespace

@@ -5,7 +5,7 @@ namespace {
 
 TEST(Ratio, IsLessThanTwoUnitsTooLarge) {
   constexpr int kN = 16, kLmax = 4 * kN, kFractionBits = 11;
-  Vtop ratio;
+  rc2::tb::Module<Vtop> ratio;
   for (int k = 3; k <= kN; ++k) {
     ratio.step_i = static_cast<CData>(k);
     ratio.clk_i = 0;
@@ -21,7 +21,6 @@ TEST(Ratio, IsLessThanTwoUnitsTooLarge) {
       ASSERT_LT(error, 2 * 2 * k) << "k " << k << " L " << distance;
     }
   }
-  ratio.final();
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ std::array<Part, 3> parts(const Vtop& top, int first_field) {
 }
 
 TEST(Splitter, PartitionsTheTargetsAlongTheirRays) {
-  Vtop top;
+  rc2::tb::Module<Vtop> top;
   rc2::tb::Dice dice(5);
   const auto pick = [&](std::int64_t low, std::int64_t high) {
     return static_cast<int>(dice.roll(low, high));
@@ -157,7 +157,6 @@ TEST(Splitter, PartitionsTheTargetsAlongTheirRays) {
     ASSERT_EQ(top.kept_u_o * top.kept_v_o, kept);
     shapes.insert(__builtin_popcount(top.send_o) + (top.own_o != 0 ? 1 : 0));
   }
-  top.final();
   // All shapes but those that no digital ray makes must have been met, and both ways to lose a
   // target.
   for (const int children : {0, 1, 2, 3, 4, 6, 9})

@@ -6,7 +6,7 @@ namespace {
 TEST(Ymed, EqualsTheDivisionEverywhere) {
   constexpr int kN = 16;
   constexpr int kLmax = 4 * kN;
-  Vtop ymed;
+  rc2::tb::Module<Vtop> ymed;
   for (int k = 0; k < kN; ++k) {
     for (int w = 0; w <= k; ++w) {
       for (int distance = 1; distance <= kLmax; ++distance) {
@@ -22,7 +22,6 @@ TEST(Ymed, EqualsTheDivisionEverywhere) {
       }
     }
   }
-  ymed.final();
 }
 
 }  // namespace

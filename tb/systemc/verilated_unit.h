@@ -7,6 +7,7 @@
 #include <cstring>
 #include <string>
 
+#include "sim/coverage.h"
 #include "tb/systemc/unit.h"
 
 namespace rc2::tb {
@@ -45,6 +46,7 @@ class VerilatedUnit : public Unit {
   ~VerilatedUnit() override {
     trace_.close();
     top_.final();
+    hand_in_coverage(context_);
   }
 
   void settle(UnitPins& pins) final {
