@@ -24,9 +24,12 @@ ExitCode parse_and_run(int argc, const char* const* argv) {
                    "rc2");
   declare_all(program, exit_code);
   // CLI11 2.1 goes round for ever on an empty word before an option.
-  for (int i = 1; i < argc; ++i)
-    if (*argv[i] == '\0')
-      throw Error(fmt::format("word {} of the command line is empty; fill it or leave it out", i));
+  for (int i = 1; i < argc; ++i) {
+    if (*argv[i] != '\0') continue;
+    const std::string before = argv[i - 1];
+    throw Error(fmt::format("{}word {} of the command line is empty; fill it or leave it out",
+                            before.rfind("--", 0) == 0 ? before + ": " : "", i));
+  }
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& help_or_version) {
