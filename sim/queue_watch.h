@@ -14,8 +14,8 @@ namespace rc2 {
 
 class QueueWatch {
  public:
-  /// Finds the cells' variables `queued`, which rtl/rc2.vlt makes public. Throws std::logic_error if
-  /// they are not.
+  /// Finds the cells' variables `queued`, which rtl/rc2.vlt makes public. Throws std::logic_error
+  /// if they are not.
   QueueWatch(const VerilatedContext& context, const MachineConfig& config) {
     for (int y = 0; y < config.n; ++y) {
       for (int x = 0; x < config.n; ++x) {

@@ -169,8 +169,8 @@ class VerilatedMachine final : public Machine {
     return result;
   }
 
-  void observe(QueueObserver observer) override {
-    observer_ = std::move(observer);
+  void observe(const QueueObserver& observer) override {
+    observer_ = observer;
     if (!queues_) queues_.emplace(context_, config_);
   }
 

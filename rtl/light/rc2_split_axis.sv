@@ -46,7 +46,7 @@ module rc2_split_axis (
       assert (part_o != 0);
       if (low && middle) assert (mid_min_o == low_max_o + 1'b1);
       if (middle && high) assert (high_min_o == mid_max_o + 1'b1);
-      if (low && high && !middle) assert (high_min_o == low_max_o + 1'b1);
+      if (low && high) assert (middle);
       if (!low) assert ((middle ? mid_min_o : high_min_o) == min_i);
       if (!high) assert ((middle ? mid_max_o : low_max_o) == max_i);
     end

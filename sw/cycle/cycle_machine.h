@@ -32,7 +32,7 @@ class CycleMachine : public Machine {
   LayerMemory read_layers() override;
   LightMemory read_light() override;
 
-  void observe(QueueObserver observer) override { observer_ = std::move(observer); }
+  void observe(const QueueObserver& observer) override { observer_ = observer; }
 
   /// Calls `observer` in every cycle of every load.
   void observe_load(LoadObserver observer) { load_observer_ = std::move(observer); }

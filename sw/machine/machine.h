@@ -118,7 +118,7 @@ class Machine {
   /// Calls `observer` in every cycle of every light from now on; none if it is empty. The cycle
   /// model counts from the start of the light, its first cycle being 1; the Verilated array from
   /// its reset, beginning with the start of the light. A machine without cycles never calls.
-  virtual void observe(QueueObserver /*observer*/) {}
+  virtual void observe(const QueueObserver& /*observer*/) {}
 
   virtual VoxelMemory read_voxels() = 0;
 

@@ -26,7 +26,7 @@ class FaultyMachine : public golden::GoldenMachine {
     return GoldenMachine::load(packets, progress);
   }
 
-  void observe(QueueObserver observer) override { observer_ = std::move(observer); }
+  void observe(const QueueObserver& observer) override { observer_ = observer; }
 
   VoxelMemory read_voxels() override {
     VoxelMemory voxels = GoldenMachine::read_voxels();

@@ -14,7 +14,7 @@ struct RunOptions {
   std::string model = "rtl";  ///< rtl or cycle
   std::uint64_t seed = 1;
   std::int64_t jobs = 20;
-  std::string fault;  ///< Fault::parse
+  std::string fault;   ///< Fault::parse
   std::string record;  ///< where the pins are written down (RecordingUnit), or empty
   std::string waves;   ///< the waveforms' path without ending, or empty
 };
