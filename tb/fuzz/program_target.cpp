@@ -102,12 +102,14 @@ std::vector<std::string> make_words(Bytes& bytes) {
 }  // namespace
 }  // namespace rc2::tb
 
+// NOLINTNEXTLINE(readability-identifier-naming): the name is libFuzzer's.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace rc2;
   tb::Bytes bytes(data, size);
   const auto before = tb::files();
   const std::vector<std::string> words = tb::make_words(bytes);
   std::vector<const char*> argv;
+  argv.reserve(words.size());
   for (const std::string& word : words) argv.push_back(word.c_str());
   // Said before, because who hangs says nothing after.
   std::string line;

@@ -138,6 +138,7 @@ void try_scene(Bytes& bytes) {
 }  // namespace
 }  // namespace rc2::tb
 
+// NOLINTNEXTLINE(readability-identifier-naming): the name is libFuzzer's.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   rc2::tb::Bytes bytes(data, size);
   rc2::tb::try_scene(bytes);
