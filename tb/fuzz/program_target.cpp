@@ -59,8 +59,10 @@ std::set<std::string> files() {
   return found;
 }
 
-// Commands whose smallest job takes minutes.
-bool is_long(const std::string& command) { return command == "thesis" || command == "network"; }
+// Commands that take long, however little they are asked for.
+bool is_long(const std::string& command) {
+  return command == "thesis" || command == "network" || command == "leaks";
+}
 
 // What makes a job of a few words: what is required and a small size, unless they are there.
 void complete(const std::vector<const CLI::Option*>& options, std::vector<std::string>& words) {
