@@ -81,16 +81,19 @@ module rc2_pace (
       .distance_i(light_i.distance),
       .ratio_o   (ratio)
   );
+  // With a reset: in gates the way to 3 may lead over the register's own, unknown, value.
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni || !(tick_o || active_q)) coming_q <= CountW'(3);
+    else if (tick_o) coming_q <= coming_q + 1'b1;
+  end
   always_ff @(posedge clk_i) begin
     if (tick_o) begin
       cells_ratio_q <= axes_ratio_q;
       axes_ratio_q  <= ratio;
-      coming_q      <= coming_q + 1'b1;
       slope_q       <= slope_q + (SlopeW + CoordW)'(light_i.inverse);
     end else if (!active_q) begin
       cells_ratio_q <= RatioW'(light_i.distance) << (RatioF - 1);
       axes_ratio_q  <= RatioW'(light_i.distance) << (RatioF - 2);
-      coming_q      <= CountW'(3);
       slope_q       <= (SlopeW + CoordW)'(light_i.inverse);
     end
   end
