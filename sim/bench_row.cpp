@@ -48,16 +48,7 @@ std::string header() {
   return text + ",wrong_pixels_percent,rmse,flip\n";
 }
 
-// A surface on the border of two voxels may belong to either, and rounding moves it a little.
-bool is_covered(const surface::VoxelSet& occupied, const glm::dvec3& point) {
-  constexpr double kNear = 1.0 / 32;
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec3 way = 2.0 * glm::dvec3(corner & 1, corner >> 1 & 1, corner >> 2) - 1.0;
-    const glm::ivec3 voxel(glm::floor(point + kNear * way + 0.5));
-    if (occupied.contains(voxel) && occupied[voxel] != 0) return true;
-  }
-  return false;
-}
+constexpr double kNear = 1.0 / 32;  // rounding moves a surface a little
 
 std::int64_t peak_kilobytes() {
   rusage usage{};
@@ -78,7 +69,7 @@ VoxelError voxel_error(const LightStage& stage, const std::vector<glm::ivec3>& v
   if (!voxels.empty()) error.distance /= static_cast<double>(voxels.size());
   const truth::Samples::Range points = stage.samples.all();
   const auto uncovered = std::count_if(points.begin(), points.end(), [&](const truth::Sample& of) {
-    return !is_covered(occupied, of.at);
+    return !surface::covers(occupied, of.at, kNear);
   });
   if (stage.samples.count() > 0)
     error.uncovered_percent =

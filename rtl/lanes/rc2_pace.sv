@@ -73,19 +73,15 @@ module rc2_pace (
 
   // ---- L/2k and k/L ------------------------------------------------------------------------------
   logic [RatioW-1:0] ratio, cells_ratio_q, axes_ratio_q;
-  logic [CountW-1:0] coming_q;  // k of the next ratio
+  logic [CountW-1:0] coming;  // k of the next ratio: at the start those of 1 and 2 are there
+  assign coming = active_q ? step_q + CountW'(4) : CountW'(3);
   logic [SlopeW+CoordW-1:0] slope_q;
   rc2_ratio u_ratio (
       .clk_i     (clk_i),
-      .step_i    (coming_q),  // steady for the cycle before a tick
+      .step_i    (coming),  // steady for the cycle before a tick
       .distance_i(light_i.distance),
       .ratio_o   (ratio)
   );
-  // With a reset: in gates the way to 3 may lead over the register's own, unknown, value.
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni || !(tick_o || active_q)) coming_q <= CountW'(3);
-    else if (tick_o) coming_q <= coming_q + 1'b1;
-  end
   always_ff @(posedge clk_i) begin
     if (tick_o) begin
       cells_ratio_q <= axes_ratio_q;

@@ -35,4 +35,15 @@ class VoxelArray {
 /// A set of voxels: 1 for those that belong to it. Bytes, because vector<bool> is slow.
 using VoxelSet = VoxelArray<std::uint8_t>;
 
+/// Whether the point lies in a voxel of the set, or no farther than `near` along each axis from
+/// one: what is on a border may belong to either side.
+inline bool covers(const VoxelSet& voxels, const glm::dvec3& point, double near) {
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec3 way = 2.0 * glm::dvec3(corner & 1, corner >> 1 & 1, corner >> 2) - 1.0;
+    const glm::ivec3 voxel(glm::floor(point + near * way + 0.5));
+    if (voxels.contains(voxel) && voxels[voxel] != 0) return true;
+  }
+  return false;
+}
+
 }  // namespace rc2::surface

@@ -82,6 +82,12 @@ class Fault(HostTest):
         voxel = re.search(r"rtl and golden: voxel \((\d),(\d),(\d)\), light0: expected", result.stdout)
         self.assertIn(f"column ({voxel[1]},{voxel[2]}) in the end", result.stdout)
 
+    def test_a_light_that_takes_longer_is_a_difference(self):
+        result = self.difference("late")
+        self.assertEqual(result.returncode, DISAGREEMENT)
+        expected, got = re.fullmatch(r"  light 0: (\d+) cycles on the cycle model, (\d+) on rtl\n", result.stdout).groups()
+        self.assertEqual(int(got), int(expected) + 1)
+
     def break_a_law(self, fault, says):
         self.fail_with(BROKEN, *RUN, "--light-rule", "thesis", "--dump", "dump.csv", says=says,
                        environment={"RC2_TEST_FAULT": fault})

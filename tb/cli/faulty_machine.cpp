@@ -1,4 +1,4 @@
-// Stands in for a Verilated library: the golden model with the fault that the environment names.
+// Stands in for a Verilated library: the cycle model with the fault that the environment names.
 // A right machine cannot show that the program notices a wrong one.
 #include <algorithm>
 #include <chrono>
@@ -11,25 +11,25 @@
 
 #include "sim/rtl_machine.h"
 #include "sw/cycle/cycle_machine.h"
-#include "sw/golden/golden_machine.h"
 
 namespace rc2 {
 namespace {
 
-class FaultyMachine : public golden::GoldenMachine {
+class FaultyMachine : public cycle::CycleMachine {
  public:
   FaultyMachine(const MachineConfig& config, std::string fault)
-      : GoldenMachine(config), fault_(std::move(fault)) {}
+      : CycleMachine(config), fault_(std::move(fault)) {}
 
-  LoadResult load(const facet::PacketStream& packets, const Progress& progress) override {
-    packets_ = packets;
-    return GoldenMachine::load(packets, progress);
+  // Counts from a reset; one queue is perhaps a beam too deep in one cycle.
+  void observe(const QueueObserver& observer) override {
+    CycleMachine::observe([this, observer](std::int64_t cycle, std::vector<std::uint32_t> depths) {
+      if (fault_ == "queue" && cycle == 9) ++depths[2 * 8 + 3];
+      observer(100 + cycle, depths);
+    });
   }
 
-  void observe(const QueueObserver& observer) override { observer_ = observer; }
-
   VoxelMemory read_voxels() override {
-    VoxelMemory voxels = GoldenMachine::read_voxels();
+    VoxelMemory voxels = CycleMachine::read_voxels();
     if (fault_ == "voxel") voxels.erase(voxels.begin());
     if (fault_ == "owner") voxels.front().owner.facet ^= 1U;
     if (fault_ == "unknown owner") voxels.front().owner.facet = kMaxFacets - 1;
@@ -37,18 +37,18 @@ class FaultyMachine : public golden::GoldenMachine {
   }
 
   LightResult light(const LightJob& job, const Progress& progress) override {
-    if (observer_) show_queues(job);
-    LightResult result = GoldenMachine::light(job, progress);
+    LightResult result = CycleMachine::light(job, progress);
     if (fault_ == "slow") {
       std::this_thread::sleep_for(std::chrono::milliseconds(1100));
       progress("light", 5000, 0.5);
     }
+    if (fault_ == "late") ++result.cycles;
     if (fault_ == "target") --result.targets.escaped;
     return result;
   }
 
   LightMemory read_light() override {
-    LightMemory light = GoldenMachine::read_light();
+    LightMemory light = CycleMachine::read_light();
     if (fault_ == "voxel") {  // keeps the sum right: only the comparison can notice
       light[1] += light[0];
       light.erase(light.begin());
@@ -63,21 +63,7 @@ class FaultyMachine : public golden::GoldenMachine {
   }
 
  private:
-  // Those of the cycle model, counted from a reset, one of them perhaps a beam too deep in one
-  // cycle.
-  void show_queues(const LightJob& job) {
-    cycle::CycleMachine model(config());
-    model.load(packets_, {});
-    model.observe([&](std::int64_t cycle, std::vector<std::uint32_t> depths) {
-      if (fault_ == "queue" && cycle == 9) ++depths[2 * 8 + 3];
-      observer_(100 + cycle, depths);
-    });
-    model.light(job, {});
-  }
-
   std::string fault_;
-  facet::PacketStream packets_;
-  QueueObserver observer_;
 };
 
 }  // namespace

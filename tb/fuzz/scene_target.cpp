@@ -13,6 +13,7 @@
 #include "sw/machine/checks.h"
 #include "sw/report/laws.h"
 #include "sw/surface/mesh.h"
+#include "sw/surface/voxel_array.h"
 #include "tb/fuzz/bytes.h"
 
 namespace rc2::tb {
@@ -63,26 +64,16 @@ scene::Scene make_scene(Bytes& bytes, int n) {
   return scene;
 }
 
-// The middle of each facet lies in a voxel that is occupied, or on the border of one.
+// The middle of each facet in the cube lies in a voxel that is occupied, or on the border of one.
 void check_covered(const VoxelMemory& voxels, const scene::Scene& scene, int n, int fraction_bits) {
-  std::vector<bool> occupied(static_cast<std::size_t>(n) * n * n);
-  const auto number = [n](const glm::ivec3& at) {
-    return (static_cast<std::size_t>(at.z) * n + at.y) * n + at.x;
-  };
-  for (const VoxelRecord& voxel : voxels) occupied[number(voxel.at)] = true;
+  surface::VoxelSet occupied(n);
+  for (const VoxelRecord& voxel : voxels) occupied[voxel.at] = 1;
   for (const facet::Border& border : surface::quantise(scene, fraction_bits).facets) {
     glm::dvec3 middle(0);
     for (const facet::Vertex& vertex : border) middle += glm::dvec3(vertex);
     middle /= std::ldexp(static_cast<double>(border.size()), fraction_bits);
-    bool found = false, inside = true;
-    for (int corner = 0; corner < 8; ++corner) {
-      const glm::dvec3 way = 2.0 * glm::dvec3(corner & 1, corner >> 1 & 1, corner >> 2) - 1.0;
-      const glm::ivec3 at(glm::floor(middle + 1e-6 * way + 0.5));
-      const bool here = at.x >= 0 && at.y >= 0 && at.z >= 0 && at.x < n && at.y < n && at.z < n;
-      inside = inside && here;
-      found = found || (here && occupied[number(at)]);
-    }
-    require(found || !inside, "the middle of a facet is in no voxel");
+    if (glm::clamp(middle, -0.5, n - 0.5) == middle)
+      require(surface::covers(occupied, middle, 1e-6), "the middle of a facet is in no voxel");
   }
 }
 
