@@ -154,7 +154,7 @@ stress: build/build.ninja
 	@scripts/stress '$(OUT)/stress' 200
 
 systemc: build/build.ninja
-	$(cmake_build) rc2 rc2_platform systemc_cell systemc_machine rtl_n16
+	$(cmake_build) rc2 rc2_platform systemc_cell systemc_machine systemc_machine_n8 rtl_n16
 	@scripts/systemc '$(OUT)/systemc'
 
 netlist: build/build.ninja

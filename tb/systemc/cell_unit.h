@@ -13,7 +13,7 @@
 
 namespace rc2::tb {
 
-constexpr MachineConfig kArray{8, 4, 32, 32, 2, true};
+constexpr MachineConfig kArray{RC2_N, 4, 4 * RC2_N, 32, 2, true};
 constexpr std::size_t kLinks = 8;  // 0 E, 1 NE, 2 N, 3 NW, 4 W, 5 SW, 6 S, 7 SE
 
 /// Numbers of the streams. Link d is input kLinkIn + d and output kLinkOut + d.

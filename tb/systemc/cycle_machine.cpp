@@ -6,6 +6,7 @@
 
 #include "sw/cycle/lane_array.h"
 #include "sw/cycle/load_array.h"
+#include "sw/cycle/prepare.h"
 #include "sw/machine/host_port.h"
 #include "tb/systemc/cycle_answer.h"
 #include "tb/systemc/machine_unit.h"
@@ -66,32 +67,46 @@ class CycleMachineUnit final : public Unit {
  private:
   static constexpr std::size_t kStreams = kMachine.feeders;
 
-  bool works() const { return load_.busy() || light_left_ > 0 || !readback_.empty(); }
+  bool works() const {
+    return load_.busy() || prepare_left_ > 0 || light_left_ > 0 || !readback_.empty();
+  }
 
   // The array says that it is busy two cycles late (rtl/rc2_array.sv).
   void count_busy() {
     if (busy_[1]) ++busy_cycles_;
     busy_ = {works(), busy_[0]};
     if (light_left_ > 0) --light_left_;
+    if (prepare_left_ > 0) --prepare_left_;
   }
 
   // A command is obeyed in the cycle after it was written.
   void obey() {
     if (command_ != 0) busy_cycles_ = 0;
     if ((command_ & kCommandClear) != 0) columns_.clear();
+    if ((command_ & kCommandPrepare) != 0) {
+      columns_.darken();
+      prepare_left_ = cycle::prepare(light_job(), kMachine.n, columns_);
+    }
     if ((command_ & kCommandStart) != 0) {
-      const auto at = [&](Register axis) { return static_cast<int>(registers_[axis]); };
-      const LightJob job{{at(kSourceX), at(kSourceY), at(kSourceZ)}, at(kDistance), at(kFa)};
       light_.settle();
-      light_result_ = light_.run(job, {}, {});
+      light_result_ = light_.run(light_job(), {}, {});
       light_left_ = light_result_.cycles;
     }
     command_ = 0;
   }
 
+  LightJob light_job() const {
+    const auto at = [&](Register axis) { return static_cast<int>(registers_[axis]); };
+    return {{at(kSourceX), at(kSourceY), at(kSourceZ)},
+            at(kDistance),
+            at(kFa),
+            registers_[kRule] == kRuleAccurate ? LightRule::accurate : LightRule::thesis};
+  }
+
   void write_register(std::uint32_t address, std::uint32_t value) {
     if (address == kCommand) command_ = value;
-    if (address >= kSourceX && address <= kInverse) registers_[address] = value;
+    if ((address >= kSourceX && address <= kInverse) || address == kRule)
+      registers_[address] = value;
   }
 
   std::uint32_t read_register(std::uint32_t address) const {
@@ -163,7 +178,7 @@ class CycleMachineUnit final : public Unit {
   cycle::LoadArray load_{kMachine.n, kMachine.feeders, columns_};
   cycle::LaneArray light_{kMachine.n, kMachine.skips, columns_};
   LightResult light_result_;
-  std::int64_t light_left_ = 0;  // cycles
+  std::int64_t prepare_left_ = 0, light_left_ = 0;  // cycles
 
   std::array<std::uint32_t, 128> registers_{};  // by address
   std::uint32_t command_ = 0;

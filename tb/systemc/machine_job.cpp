@@ -80,6 +80,7 @@ void MachineJob::plan_job() {
   packets_ = dense_packets(dice_, kMachine, 25, cell);
   golden_.load(packets_, kQuiet);
 
+  plan_wait(0, false);
   plan_.emplace_back([](Bench& bench) {
     write(bench, kCommand, kCommandClear);
     bench.pause(kBusyDelay);
@@ -95,7 +96,8 @@ void MachineJob::plan_job() {
 
 void MachineJob::plan_light(glm::ivec3 source) {
   const LightJob job{source, static_cast<int>(dice_.roll(1, kMachine.max_distance)),
-                     static_cast<int>(dice_.roll_size(kMachine.max_fa))};
+                     static_cast<int>(dice_.roll_size(kMachine.max_fa)),
+                     dice_.one_in(2) ? LightRule::accurate : LightRule::thesis};
   const auto total = static_cast<std::uint32_t>(total_targets(job.target_distance));
   plan_wait(0, false);
   plan_.emplace_back([this, job, total](Bench& bench) {
@@ -107,8 +109,13 @@ void MachineJob::plan_light(glm::ivec3 source) {
     write(bench, kFa, static_cast<std::uint32_t>(job.fa));
     write(bench, kTargets, total);
     write(bench, kInverse, inverse_of(job.target_distance, inverse_bits(kMachine)));
-    write(bench, kCommand, kCommandStart);
+    const bool accurate = job.rule == LightRule::accurate;
+    write(bench, kRule, accurate ? kRuleAccurate : 0);
+    if (accurate) write(bench, kCommand, kCommandPrepare);
+    bench.pause(kBusyDelay);
   });
+  plan_wait(0, job.rule == LightRule::accurate);
+  plan_.emplace_back([](Bench& bench) { write(bench, kCommand, kCommandStart); });
   plan_wait(kStatusHome, true);
   plan_.emplace_back([total](Bench& bench) { read(bench, kHome, total); });
   plan_read(ReadWhat::light);

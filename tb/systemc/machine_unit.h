@@ -10,8 +10,8 @@
 
 namespace rc2::tb {
 
-/// Small, and with more than one packet stream.
-constexpr MachineConfig kMachine{4, 4, 16, 32, 2, true};
+/// Of the side that CMake gives the RTL too; with more than one packet stream.
+constexpr MachineConfig kMachine{RC2_N, 4, 4 * RC2_N, 32, 2, true};
 
 /// Numbers of the streams. Packet stream k is input kPackets + k.
 enum MachineIn : std::size_t { kAw, kW, kAr, kPackets };
