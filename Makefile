@@ -99,7 +99,7 @@ unexport $(the_words)
 jobs := $(shell nproc)
 cmake_build := cmake --build build -j $(jobs) --target
 test_sizes := 4 5 8 16
-known_sizes := $(test_sizes) 32
+known_sizes := 2 3 $(test_sizes) 32
 
 .PHONY: help setup build coverage mutation sim thesis chapter2 bench-load bench-diffusion bench-light bench-render bench report area oracle stress fuzz netlist bus systemc formal test lint sanitize rtl format clean
 .NOTPARALLEL:
@@ -150,7 +150,7 @@ oracle: build/build.ninja
 	@build/tb/load/oracle_run --facets 1500000
 
 stress: build/build.ninja
-	$(cmake_build) rc2 stress_run
+	$(cmake_build) rc2 stress_run $(foreach n,2 3 4 5 8,rtl_n$(n) rtl_thesis_n$(n))
 	@scripts/stress '$(OUT)/stress' 200
 
 systemc: build/build.ninja

@@ -1,6 +1,6 @@
 # The Verilated array: one shared library per size and mode beside rc2, rtl_n<N> ->
 # rtl/librc2_rtl_n<N>.so with light in lanes, rtl_thesis_n<N> in thesis mode. Not part of `all`: a test or a run that needs a size depends on it, and every one shares it.
-set(RC2_RTL_SIZES 4 5 8 16 32 CACHE STRING "Sizes with a target of their own")
+set(RC2_RTL_SIZES 2 3 4 5 8 16 32 CACHE STRING "Sizes with a target of their own")
 set(RC2_RTL_EXTRA_SIZE "" CACHE STRING "One more size")
 set(RC2_RTL_F 4 CACHE STRING "Fraction bits of the Verilated machines")
 
@@ -82,11 +82,14 @@ function(rc2_add_rtl name n)
 endfunction()
 
 # n = 5 has room for the finest vertices, so that the whole range of f meets the RTL somewhere, and
-# skips nothing.
+# skips nothing. The smallest have room for the largest L that `make stress` tries.
 foreach(n IN LISTS RC2_RTL_SIZES RC2_RTL_EXTRA_SIZE)
   set(macros F=${RC2_RTL_F})
   if(n EQUAL 5)
     set(macros F=8 SKIPS=0)
+  elseif(n LESS 4)
+    math(EXPR far "8 * ${n}")
+    set(macros F=8 LMAX=${far})
   endif()
   if(NOT TARGET rtl_n${n})
     rc2_add_rtl(n${n} ${n} ${macros})

@@ -1,9 +1,13 @@
 // Adversarial scenes through the whole path: packets, voxels, layers, light.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <map>
+#include <vector>
 
+#include "sim/rtl_machine.h"
 #include "sw/base/config.h"
 #include "sw/base/replace_file.h"
 #include "tb/stress/rounding.h"
@@ -14,8 +18,8 @@ namespace {
 using namespace rc2::stress;
 
 // 2 and 3, primes, powers of two and their neighbours. Large ones are in `make oracle`.
-constexpr std::array kSides{2, 3, 4, 5, 7, 8, 11, 13, 16, 17};
-constexpr std::array kLargeSides{31, 32, 37};
+const std::vector kSides{2, 3, 4, 5, 7, 8, 11, 13, 16, 17};
+const std::vector kLargeSides{31, 32, 37};
 constexpr int kOneInLarge = 25;
 constexpr std::int64_t kShown = 20;  // differences told in full
 
@@ -23,6 +27,23 @@ struct Options {
   std::int64_t trials = 30, from = 0;
   std::uint64_t seed = 1;
   std::string attack, out;
+  std::vector<int> rtl;
+};
+
+// The Verilated machines of one side, made when they are first asked for.
+class RtlMachines {
+ public:
+  const std::vector<Named>& of_side(int n) {
+    std::vector<Named>& machines = made_[n];
+    if (machines.empty()) {
+      machines.push_back({"rtl, fast", rc2::make_rtl_machine(fmt::format("n{}", n), {})});
+      machines.push_back({"rtl, thesis", rc2::make_rtl_machine(fmt::format("thesis_n{}", n), {})});
+    }
+    return machines;
+  }
+
+ private:
+  std::map<int, std::vector<Named>> made_;
 };
 
 class Run {
@@ -76,25 +97,33 @@ class Run {
   // Whatever is thrown is wrong: what a machine may refuse is counted further down.
   void check(const Attack& attack, std::int64_t number) {
     Dice dice(Dice(options_.seed).bits() ^ Dice(static_cast<std::uint64_t>(number)).bits());
-    const bool is_large = number % kOneInLarge == kOneInLarge - 1;
-    const auto place = static_cast<std::size_t>(number);
-    const int n = is_large ? kLargeSides[place / kOneInLarge % kLargeSides.size()]
-                           : kSides[place % kSides.size()];
-    const Cube cube{n, static_cast<int>(dice.roll(0, rc2::kMaxFractionBits))};
+    const int n = side(static_cast<std::size_t>(number));
+    const std::vector<Named> more = options_.rtl.empty() ? std::vector<Named>{} : rtl_.of_side(n);
+    const int finest =
+        more.empty() ? rc2::kMaxFractionBits : more[0].machine->config().fraction_bits;
+    const Cube cube{n, static_cast<int>(dice.roll(0, finest))};
     try {
-      run_trial(attack, cube, dice.bits(), findings_);
+      run_trial(attack, cube, dice.bits(), more, findings_);
     } catch (const std::exception& error) {
       ++findings_.at("attack", attack.name).differences;
       if (++differences_ > kShown) return;
       fmt::print(stderr,
                  "{}, n = {}, f = {}: {}\nAgain: stress_run --attack \"{}\" --seed {} --from {} "
-                 "--trials 1\n",
+                 "--trials 1{}{}\n",
                  attack.name, cube.n, cube.fraction_bits, error.what(), attack.name, options_.seed,
-                 number);
+                 number, options_.rtl.empty() ? "" : " --rtl ", fmt::join(options_.rtl, " "));
     }
   }
 
+  int side(std::size_t number) const {
+    if (!options_.rtl.empty()) return options_.rtl[number % options_.rtl.size()];
+    const bool is_large = number % kOneInLarge == kOneInLarge - 1;
+    return is_large ? kLargeSides[number / kOneInLarge % kLargeSides.size()]
+                    : kSides[number % kSides.size()];
+  }
+
   const Options& options_;
+  RtlMachines rtl_;
   Findings findings_;
   std::int64_t differences_ = 0;
 };
@@ -106,6 +135,8 @@ int run_program(int argc, char** argv) {
   app.add_option("--seed", options.seed, "of all scenes");
   app.add_option("--attack", options.attack, "only this one");
   app.add_option("--from", options.from, "number of the first scene, to see one again");
+  app.add_option("--rtl", options.rtl,
+                 "on the Verilated machines too, with these sides instead of all");
   app.add_option("--out", options.out, "write the table to this CSV file");
   CLI11_PARSE(app, argc, argv);
 

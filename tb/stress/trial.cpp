@@ -28,28 +28,26 @@ constexpr std::array kRules{Rule::armoured, Rule::naive, Rule::supercover, Rule:
 // Golden follows every ray; of more it would take all the time.
 constexpr std::int64_t kMostGoldenTargets = 1'000'000;
 
-struct Named {
-  std::string name;
-  std::unique_ptr<Machine> machine;
-};
-
-std::vector<Named> make_machines(const Cube& cube, Dice& dice) {
+std::vector<Named> make_machines(const Cube& cube, const std::vector<Named>& more, Dice& dice) {
   MachineConfig config{cube.n, cube.fraction_bits, kMaxDistance, 16,
                        facet::random_feeders(cube.n, dice)};
   std::vector<Named> machines;
-  machines.push_back({"golden", std::make_unique<golden::GoldenMachine>(config)});
-  machines.push_back({"cycle, fast", std::make_unique<cycle::CycleMachine>(config)});
+  machines.push_back({"golden", std::make_shared<golden::GoldenMachine>(config)});
+  machines.push_back({"cycle, fast", std::make_shared<cycle::CycleMachine>(config)});
   config.mode = LightMode::thesis;
-  machines.push_back({"cycle, thesis", std::make_unique<cycle::CycleMachine>(config)});
+  machines.push_back({"cycle, thesis", std::make_shared<cycle::CycleMachine>(config)});
+  machines.insert(machines.end(), more.begin(), more.end());
   return machines;
 }
 
 class Trial {
  public:
-  Trial(const Attack& attack, const Cube& cube, std::uint64_t seed, Findings& findings)
+  Trial(const Attack& attack, const Cube& cube, std::uint64_t seed, const std::vector<Named>& more,
+        Findings& findings)
       : is_closed_(attack.is_closed),
         cube_(cube),
         dice_(seed),
+        machines_(make_machines(cube, more, dice_)),
         findings_(findings),
         attack_(findings.at("attack", attack.name)) {
     bodies_ = attack.draw(cube, dice_);
@@ -58,20 +56,18 @@ class Trial {
 
   void run() {
     ++attack_.trials;
-    const std::vector<Named> machines = make_machines(cube_, dice_);
-    check_voxels(machines);
+    check_voxels();
     facets_ = facet::build_layers(facet::scene_of(borders_, cube_), cube_.n, cube_.fraction_bits);
-    for (const Named& named : machines) check_layers(*named.machine);
+    for (const Named& named : machines_) check_layers(*named.machine);
     const LightOracle oracle(cube_.n, voxels_, layers_, facets_.packets);
     if (is_closed_) check_inside(oracle);
     for (const auto& [place, source] : choose_sources(oracle, cube_.n, dice_)) {
-      for (int i = 0; i < 3; ++i)
-        check_light(machines, oracle, place, source, draw_distance(cube_.n, dice_));
+      for (int i = 0; i < 3; ++i) check_light(oracle, place, source, draw_distance(cube_.n, dice_));
     }
   }
 
  private:
-  void check_voxels(const std::vector<Named>& machines) {
+  void check_voxels() {
     const auto count = [](std::size_t size) { return static_cast<std::int64_t>(size); };
     std::vector<Border> with_area;
     std::copy_if(borders_.begin(), borders_.end(), std::back_inserter(with_area), facet::has_area);
@@ -84,8 +80,12 @@ class Trial {
       throw Difference("the host lost a facet, or is wrong about its area");
     attack_.facets += counts.read;
     attack_.without_area += counts.degenerate;
-    check_machines({machines[0].machine.get(), machines[1].machine.get()}, with_area, cube_, rule);
-    const std::int64_t voxels = 2LL * cube_.n * cube_.n * cube_.n;
+    // Modes load alike.
+    std::vector<Machine*> loaded;
+    for (const Named& named : machines_)
+      if (named.machine->config().mode == LightMode::fast) loaded.push_back(named.machine.get());
+    check_machines(loaded, with_area, cube_, rule);
+    const std::int64_t voxels = count(loaded.size()) * cube_.n * cube_.n * cube_.n;
     attack_.voxels += voxels;
     Tally& of_rule = findings_.at("voxels by rule", to_string(rule));
     ++of_rule.trials;
@@ -127,17 +127,17 @@ class Trial {
     if (!wrong.empty() && !is_limit) throw Difference(wrong);
   }
 
-  void check_light(const std::vector<Named>& machines, const LightOracle& oracle, const char* place,
-                   const glm::ivec3& source, const std::pair<std::string, int>& distance) {
+  void check_light(const LightOracle& oracle, const char* place, const glm::ivec3& source,
+                   const std::pair<std::string, int>& distance) {
     const auto fa = static_cast<int>(dice_.roll_size(16));
     for (const LightRule rule : {LightRule::thesis, LightRule::accurate}) {
       const LightJob job{source, distance.second, fa, rule};
       const ExpectedLight expected = oracle.light(job);
       if (expected.targets.total != total_targets(job.target_distance))
         throw Difference("the oracle lost a target");
-      for (const Named& named : machines) {
+      for (const Named& named : machines_) {
         Machine& machine = *named.machine;
-        const bool is_golden = &named == machines.data();
+        const bool is_golden = &named == machines_.data();
         if (rule == LightRule::accurate && !machine.config().accurate_light()) continue;
         if (is_golden && expected.targets.total > kMostGoldenTargets) continue;
         const bool is_refused = !lights_as_expected(machine, job, expected, is_golden);
@@ -178,6 +178,7 @@ class Trial {
   bool is_closed_;
   Cube cube_;
   Dice dice_;
+  std::vector<Named> machines_;
   Findings& findings_;
   Tally& attack_;
   std::vector<Body> bodies_;
@@ -189,8 +190,9 @@ class Trial {
 
 }  // namespace
 
-void run_trial(const Attack& attack, const Cube& cube, std::uint64_t seed, Findings& findings) {
-  Trial(attack, cube, seed, findings).run();
+void run_trial(const Attack& attack, const Cube& cube, std::uint64_t seed,
+               const std::vector<Named>& more, Findings& findings) {
+  Trial(attack, cube, seed, more, findings).run();
 }
 
 }  // namespace rc2::stress

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -33,16 +34,23 @@ class Findings {
   std::map<std::string, std::map<std::string, Tally>> tallies_;
 };
 
-/// Draws a scene and compares:
+/// A machine and what it is called in the tables.
+struct Named {
+  std::string name;
+  std::shared_ptr<Machine> machine;
+};
+
+/// Draws a scene and compares, on golden, the cycle model in both modes and `more` machines, which
+/// have to be of the cube's side and of its f at least:
 ///  - what became of its facets: loaded, or counted as without area;
-///  - every voxel, by one of the five rules, on golden and cycle with the exact oracle
-///    (tb/load/machine_check.h);
+///  - every voxel, by one of the five rules, with the exact oracle (tb/load/machine_check.h);
 ///  - every layer of all machines with each other, and of closed bodies what is inside with exact
 ///    geometry;
 ///  - lights from corners, edges and faces of the cube, beside facets and inside solids, with L
 ///    from 1 to 8n and the largest there is: every count of every machine that knows the rule with
 ///    LightOracle, and conservation.
 /// Everything follows from the seed. Throws std::exception at the first difference.
-void run_trial(const Attack& attack, const Cube& cube, std::uint64_t seed, Findings& findings);
+void run_trial(const Attack& attack, const Cube& cube, std::uint64_t seed,
+               const std::vector<Named>& more, Findings& findings);
 
 }  // namespace rc2::stress
