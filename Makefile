@@ -49,9 +49,12 @@
 ##   MODE=fast      how light spreads: fast, in lanes; thesis, voxel by voxel (also for rtl)
 ##   OUT=out        folder of the results
 ##
-## Words for bench: FULL=1 for the large one, SEED=1 of generated scenes; for mutation the same of mutants
 ##   A word left empty means the default of build/rc2 run --help. With MACHINE=rtl the same scene
 ##   is also lit by the cycle model with 128 cells per side, for a picture worth looking at.
+##
+## Words for others
+##   FULL=1, SEED=1     bench: the large one, of generated scenes; mutation: all mutants, of the sample
+##   SECONDS=60         fuzz: for each of its two programs
 ##
 ## Examples
 ##   make sim
@@ -59,7 +62,8 @@
 ##   make sim MACHINE=cycle N=256 SCENE=room LIGHT="100,40,200 20,20,240,1,0.5,0"
 ##   RC2_SKIP_SETUP=1 make build        leaves the system's packages alone
 
-the_words := MACHINE N SCENE LIGHT WAVES RULE F L FA MODE OUT FULL SEED
+sim_words := MACHINE N SCENE LIGHT WAVES RULE F L FA MODE OUT
+the_words := $(sim_words) FULL SEED SECONDS
 
 # Plain assignments: the environment cannot change a word, the command line can.
 MACHINE := rtl
@@ -130,7 +134,7 @@ rtl: build/build.ninja
 	$(cmake_build) rtl_$(if $(filter thesis,$(MODE)),thesis_)n$(N)
 
 sim: build $(if $(filter rtl,$(MACHINE)),rtl)
-	@scripts/sim $(foreach word,$(the_words),'$(word)=$(subst ','\'',$($(word)))')
+	@scripts/sim $(foreach word,$(sim_words),'$(word)=$(subst ','\'',$($(word)))')
 
 thesis: build
 	@scripts/thesis '$(OUT)/thesis'
