@@ -17,6 +17,7 @@
 ##   systemc   the SystemC test benches and the example TLM-2.0 platform, waveforms under out/systemc/
 ##   formal    proofs of the RTL's units and of a 2 x 2 array by Yosys, z3 and ABC, as the docs show them
 ##   bench-diffusion  light: cycles by scene, n, source and mode, as the docs show them
+##   bench-rtl  how fast the Verilated array is built and runs, as the docs show it
 ##   bench-light  light: what differs from the continuous scene, by rule, as the docs show it
 ##   bench     run time against error, also of what one would take instead of the machine; at most 15
 ##             minutes, FULL=1 hours; goes on where it was interrupted
@@ -105,7 +106,7 @@ cmake_build := cmake --build build -j $(jobs) --target
 test_sizes := 4 5 8 16
 known_sizes := 2 3 $(test_sizes) 32
 
-.PHONY: help setup build coverage mutation sim thesis chapter2 bench-load bench-diffusion bench-light bench-render bench report area oracle stress fuzz netlist bus systemc formal test lint sanitize rtl format clean
+.PHONY: help setup build coverage mutation sim thesis chapter2 bench-load bench-diffusion bench-rtl bench-light bench-render bench report area oracle stress fuzz netlist bus systemc formal test lint sanitize rtl format clean
 .NOTPARALLEL:
 
 help:
@@ -185,6 +186,9 @@ formal: setup
 
 bench-diffusion: build
 	@scripts/bench-diffusion '$(OUT)/bench-diffusion'
+
+bench-rtl: build
+	@scripts/bench-rtl '$(OUT)/bench-rtl'
 
 bench-light: build
 	@scripts/bench-light '$(OUT)/bench-light'

@@ -44,7 +44,12 @@ if(CCACHE)
   list(APPEND RC2_VERILATED_MAKE OBJCACHE=ccache)
 endif()
 
-# rc2_add_rtl(NAME N [MACRO=VALUE ...])
+# The rules without those that keep one body for all cells, for scripts/bench-rtl to compare with.
+file(READ ${RC2_RTL_FOLDER}/rc2.vlt flat)
+string(REGEX REPLACE "(no_inline|public_flat_rd)[^\n]*\n" "" flat "${flat}")
+file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/rtl/flat.vlt CONTENT "${flat}" @ONLY)
+
+# rc2_add_rtl(NAME N [MACRO=VALUE ...]). A name flat_.. has a body for each cell.
 function(rc2_add_rtl name n)
   list(TRANSFORM ARGN PREPEND -DRC2_ OUTPUT_VARIABLE defines)
   set(checks --noassert ${RC2_RTL_COUNTED})
@@ -57,6 +62,10 @@ function(rc2_add_rtl name n)
     list(APPEND checks ${RC2_RTL_TOGGLES})
     list(APPEND make_words OPT_FAST=-O0)
   endif()
+  set(rules ${RC2_RTL_RULES})
+  if(name MATCHES "^flat_")
+    list(TRANSFORM rules REPLACE ".*/rc2.vlt" ${CMAKE_BINARY_DIR}/rtl/flat.vlt)
+  endif()
   set(folder ${CMAKE_BINARY_DIR}/rtl/${name})
   set(library ${CMAKE_BINARY_DIR}/rtl/librc2_rtl_${name}.so)
   add_custom_command(
@@ -64,7 +73,7 @@ function(rc2_add_rtl name n)
     COMMAND ${CMAKE_COMMAND} -E rm -rf ${folder}
     COMMAND
       ${VERILATOR} --cc --exe ${RC2_VERILATOR_FLAGS} -DRC2_N=${n} ${defines}
-      --top-module rc2_machine ${RC2_RTL_RULES} ${RC2_RTL_SOURCES} ${checks} --Mdir ${folder} -o ${library}
+      --top-module rc2_machine ${rules} ${RC2_RTL_SOURCES} ${checks} --Mdir ${folder} -o ${library}
       -CFLAGS "-std=c++17 -fPIC -I${PROJECT_SOURCE_DIR}" -LDFLAGS "-shared -lfmt"
       ${RC2_VERILATED_GLUE}
     COMMAND make --silent --no-print-directory -j2 -C ${folder} -f Vrc2_machine.mk ${make_words} > ${folder}.log
@@ -95,6 +104,9 @@ foreach(n IN LISTS RC2_RTL_SIZES RC2_RTL_EXTRA_SIZE)
     rc2_add_rtl(n${n} ${n} ${macros})
     rc2_add_rtl(thesis_n${n} ${n} ${macros} THESIS=1)
   endif()
+endforeach()
+foreach(n IN ITEMS 8 16)
+  rc2_add_rtl(flat_n${n} ${n} F=${RC2_RTL_F})
 endforeach()
 # As it would be built in silicon: nothing counts targets.
 rc2_add_rtl(lit_n8 8 F=${RC2_RTL_F} COUNTS=0)
