@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <map>
 #include <memory>
+#include <utility>
 
 #include "sim/job.h"
 #include "sim/light_sources.h"
@@ -37,20 +39,18 @@ struct Row {
 
 std::vector<glm::ivec3> places_of(const VoxelMemory& voxels) {
   std::vector<glm::ivec3> places;
+  places.reserve(voxels.size());
   for (const VoxelRecord& voxel : voxels) places.push_back(voxel.at);
   return places;
 }
 
 // The foremost voxel of each column: what primary rays from the front hit (4.1.3).
-std::vector<glm::ivec3> seen_of(const VoxelMemory& voxels, int n) {
-  std::vector<int> foremost(static_cast<std::size_t>(n) * static_cast<std::size_t>(n), -1);
-  for (const VoxelRecord& voxel : voxels)
-    foremost[static_cast<std::size_t>(voxel.at.y * n + voxel.at.x)] = voxel.at.z;
+std::vector<glm::ivec3> seen_of(const VoxelMemory& voxels) {
+  std::map<std::pair<int, int>, glm::ivec3> foremost;  // voxels come in the order of their z
+  for (const VoxelRecord& voxel : voxels) foremost[{voxel.at.y, voxel.at.x}] = voxel.at;
   std::vector<glm::ivec3> places;
-  for (int y = 0; y < n; ++y)
-    for (int x = 0; x < n; ++x)
-      if (const int z = foremost[static_cast<std::size_t>(y * n + x)]; z >= 0)
-        places.emplace_back(x, y, z);
+  places.reserve(foremost.size());
+  for (const auto& [column, place] : foremost) places.push_back(place);
   return places;
 }
 
@@ -110,7 +110,7 @@ class Bench {
       return [this, &voxels](Ledger& ledger) { ask_light(ledger, voxels, source_.voxel); };
     };
     add_rays("ask-all", ask(places_of(voxels_)), false);
-    add_rays("ask-seen", ask(seen_of(voxels_, n_)), false);
+    add_rays("ask-seen", ask(seen_of(voxels_)), false);
     const auto send = [this](Targets targets) {
       return [this, targets](Ledger& ledger) { send_one_by_one(ledger, targets, source_.voxel); };
     };

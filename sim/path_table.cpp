@@ -35,7 +35,7 @@ void declare_path_table(CLI::App& program, ExitCode& exit_code) {
   auto options = std::make_shared<PathTableOptions>();
   auto* command = program.add_subcommand(
       "path-table", "How large a table would be that says where beams part (4.3.2)");
-  declare_list(*command, "--n", options->sides, 2, 1024, "Sides of the cube, in voxels");
+  declare_list(*command, "--n", options->sides, 2, 512, "Sides of the cube, in voxels");
   command->add_flag("--rows", options->rows, "Print the tables: 0 straight on, 1 one outward");
   command->callback([options, &exit_code] {
     print(*options);

@@ -55,16 +55,10 @@ class TableSplitter {
 
   std::vector<PathChild> operator()(const PathBeam& beam, const glm::ivec3& /*at*/) const {
     const auto axes = thesis::target_axes(beam.axis);
-    std::array<std::array<bool, 3>, 2> goes{};
-    for (const std::size_t i : {0U, 1U})
-      for (const int step : {-1, 0, 1})
-        goes[i][static_cast<std::size_t>(step + 1)] =
-            beam.tables[i]->has(beam.paths[i] + letter_of(step), looks_);
+    const std::vector<int> v_steps = steps(*beam.tables[1], beam.paths[1]);
     std::vector<PathChild> children;
-    for (const int u : {-1, 0, 1}) {
-      for (const int v : {-1, 0, 1}) {
-        if (!goes[0][static_cast<std::size_t>(u + 1)] || !goes[1][static_cast<std::size_t>(v + 1)])
-          continue;
+    for (const int u : steps(*beam.tables[0], beam.paths[0])) {
+      for (const int v : v_steps) {
         PathChild child{glm::ivec3(0), beam};
         child.step[beam.axis] = beam.side;
         child.step[axes[0]] = u;
@@ -78,6 +72,13 @@ class TableSplitter {
   }
 
  private:
+  std::vector<int> steps(const PathTable& table, const Path& path) const {
+    std::vector<int> found;
+    for (const int step : {-1, 0, 1})
+      if (table.has(path + letter_of(step), looks_)) found.push_back(step);
+    return found;
+  }
+
   std::int64_t& looks_;
 };
 
