@@ -61,6 +61,7 @@ void declare_all(CLI::App& program, ExitCode& exit_code) {
   declare_loading(program, exit_code);
   declare_load_speed(program, exit_code);
   declare_walk(program, exit_code);
+  declare_emission(program, exit_code);
   declare_diffusion(program, exit_code);
   declare_difference(program, exit_code);
   declare_queues(program, exit_code);
@@ -69,6 +70,7 @@ void declare_all(CLI::App& program, ExitCode& exit_code) {
   declare_peers(program, exit_code);
   declare_render(program, exit_code);
   declare_render_error(program, exit_code);
+  declare_path_table(program, exit_code);
   declare_ray_traffic(program, exit_code);
   declare_network(program, exit_code);
   declare_thesis(program, exit_code);
