@@ -266,6 +266,77 @@ package rc2_pkg;
     logic [SlopeW-1:0] slope;
   } pace_t;
 
+  // ---- Rays (docs/render.md; sw/rays/format.h has the same widths) ------------------------------
+  localparam int unsigned PlaceFracW = 6;  // of a place: 1/64 voxel
+  localparam int unsigned PlaceW = CountW + PlaceFracW + 1;  // signed, -1/2 .. N-1/2 voxels
+  localparam int unsigned WayW = CoordW + PlaceFracW + 1;    // from a place to a side, 0 .. N voxels
+  localparam int unsigned DirFracW = CoordW + 5;  // of a direction, a unit vector
+  localparam int unsigned DirW = DirFracW + 2;    // signed, -1 .. 1
+  localparam int unsigned RiseFracW = (CoordW + 1 > PlaceFracW) ? CoordW + 1 : PlaceFracW;
+  localparam int unsigned RiseW = RiseFracW + CoordW + 3;  // signed: dz/dx, and z on the side of a column
+  localparam int unsigned DecisionW = DirFracW + PlaceFracW + 2;  // signed: |E| <= |d| times one cell
+  localparam int unsigned SlopeFormW = 12;  // signed: component of a facet's normal, in 1/1024
+  localparam int unsigned SlopeFormFracW = 10;
+  // Of a ray's origin over a plane, 1/64 voxel times 1/1024: three terms of N voxels; N >= 3.
+  localparam int unsigned HeightW = CoordW + PlaceFracW + SlopeFormFracW + 3;
+  // How fast a ray comes nearer to a plane: three terms of at most one, unsigned.
+  localparam int unsigned ApproachW = DirFracW + SlopeFormFracW + 2;
+  localparam int unsigned ShareW = 9;    // share of light, 0 .. 1 in 1/256
+  localparam int unsigned WeightW = 13;  // worth of a ray, 0 .. 1 in 1/4096
+  localparam int unsigned IndexW = 15;   // ratio of refractive indices, 0 .. 4 in 1/4096
+  localparam int unsigned IndexFracW = 12;
+  // Quotients. A slope is told from steeper ones up to 2*2^CoordW; 64 times that times two, so that even a
+  // 64th of what stands for infinity is beyond it.
+  localparam int unsigned RiseQuotientW = RiseFracW + CoordW + 8;
+  // Of height and approach: beyond it any ray has left the cube along each axis that it moves in.
+  localparam int unsigned MeetFracW = DirFracW + 1;
+  localparam int unsigned MeetQuotientW = MeetFracW + PlaceW;
+  // Of what a direction turns by and the normal's square, which is 1 at least.
+  localparam int unsigned BendFracW = SlopeFormFracW + 1;
+  localparam int unsigned BendQuotientW = DirFracW + BendFracW - SlopeFormFracW + 4;
+  // |N|^2 * 2^(2 DirFracW), below 2^22 times that, and its root.
+  localparam int unsigned RootW = SlopeFormFracW + 1 + DirFracW;
+
+  // What the arithmetic of a cell is asked for (rc2_ray_unit).
+  localparam logic [1:0] OpLaunch = 2'd0;
+  localparam logic [1:0] OpMeet = 2'd1;
+  localparam logic [1:0] OpReflect = 2'd2;
+  localparam logic [1:0] OpRefract = 2'd3;
+
+  // What a facet belongs to: a solid, a room, a sheet (sw/rays/ray.h).
+  localparam logic [1:0] BodyRoom = 2'd1;
+  localparam logic [1:0] BodySheet = 2'd2;
+
+  // What a column keeps of an owner for rays.
+  typedef struct packed {
+    logic [1:0]            body;
+    logic [SlopeFormW-1:0] x;  // normal, outward
+    logic [SlopeFormW-1:0] y;
+    logic [SlopeFormW-1:0] z;
+    logic [ShareW-1:0]     mirror;
+    logic [ShareW-1:0]     clear;
+    logic [IndexW-1:0]     enter;  // index outside over that inside, and the inverse
+    logic [IndexW-1:0]     leave;
+  } optics_t;
+  localparam int unsigned OpticsW = 2 + 3 * SlopeFormW + 2 * ShareW + 2 * IndexW;
+
+  // A plane that a ray could have stopped at: turned to face it, and what becomes of a ray there.
+  typedef struct packed {
+    logic [SlopeFormW-1:0] x;
+    logic [SlopeFormW-1:0] y;
+    logic [SlopeFormW-1:0] z;
+    logic [HeightW-1:0]    height;
+    logic [ApproachW-1:0]  approach;
+    logic                  back;  // the facet's inner side is seen
+    logic [FacetW-1:0]     facet;
+    logic [ShareW-1:0]     mirror;
+    logic [ShareW-1:0]     clear;
+    logic                  glass;  // a solid's facet that lets light through
+    logic [IndexW-1:0]     ratio;  // of the index before it over that behind it
+  } face_t;
+  localparam int unsigned FaceW =
+      3 * SlopeFormW + HeightW + ApproachW + 2 + FacetW + 2 * ShareW + IndexW;
+
   // ---- Directions: 0 E, 1 NE, 2 N, 3 NW, 4 W, 5 SW, 6 S, 7 SE; x grows east, y north ----------
   // The opposite of d is (d + 4) mod 8. Bit d is set where direction d has that component.
   localparam logic [7:0] Eastward = 8'b1000_0011;

@@ -10,7 +10,7 @@ find_program(VERILATOR verilator REQUIRED)
 set(RC2_RTL_FOLDER ${PROJECT_SOURCE_DIR}/rtl CACHE PATH "Folder of the RTL")
 # A module comes after those it uses: package, parts, units, column, cell, array, machine.
 set(RC2_RTL_SOURCES ${RC2_RTL_FOLDER}/rc2_pkg.sv)
-foreach(level parts load light lanes net)
+foreach(level parts load light lanes rays net)
   file(GLOB modules CONFIGURE_DEPENDS ${RC2_RTL_FOLDER}/${level}/*.sv)
   list(APPEND RC2_RTL_SOURCES ${modules})
 endforeach()

@@ -61,11 +61,16 @@ glm::ivec3 meeting_point(const Ray& ray, const Face& face, int n) {
   // Half a unit at most is lost by cutting off the quotient, half by rounding the product.
   const int fraction = direction_fraction(n) + 1;
   const std::int64_t half = std::int64_t{1} << (fraction - 1);
+  const std::int64_t farthest = (std::int64_t{1} << meeting_bits(n)) - 1;
   const std::int64_t quotient =
-      (std::max<std::int64_t>(0, face.height) << fraction) / face.approach;
-  glm::ivec3 point = ray.origin;
-  for (int axis = 0; axis < 3; ++axis)
-    point[axis] += static_cast<int>((ray.direction[axis] * quotient + half) >> fraction);
+      std::min(farthest, (std::max<std::int64_t>(0, face.height) << fraction) / face.approach);
+  // A place beyond this is far outside the cube, and need not fit an int.
+  constexpr std::int64_t kFar = 1 << 24;
+  glm::ivec3 point;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::int64_t ahead = (ray.direction[axis] * quotient + half) >> fraction;
+    point[axis] = ray.origin[axis] + static_cast<int>(std::clamp(ahead, -kFar, kFar));
+  }
   return point;
 }
 

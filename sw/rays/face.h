@@ -47,7 +47,8 @@ inline bool is_reached(const Ray& ray, const Face& face, int axis, std::int64_t 
 }
 
 /// Where the ray meets the plane, in 1/64 voxel, off by one of that at most: one division. Its
-/// origin, if that is behind the plane.
+/// origin, if that is behind the plane. If it does so far outside the cube, some place out there,
+/// in the same direction along each axis.
 glm::ivec3 meeting_point(const Ray& ray, const Face& face, int n);
 
 }  // namespace rc2::rays

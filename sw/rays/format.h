@@ -64,4 +64,8 @@ constexpr int height_bits(int n) {
   return coordinate_bits(n) + kPlaceFraction + kNormalFraction + 3;
 }
 
+/// Bits of height over approach with a fraction of direction_fraction(n) + 1: beyond that a ray has
+/// left the cube, along each axis in which it moves at all.
+constexpr int meeting_bits(int n) { return direction_fraction(n) + 1 + place_bits(n); }
+
 }  // namespace rc2::rays
