@@ -10,6 +10,7 @@
 #include "sim/job.h"
 #include "sim/render_job.h"
 #include "sim/table_command.h"
+#include "sim/true_picture.h"
 #include "sw/facet/optics.h"
 #include "sw/golden/golden_machine.h"
 #include "sw/picture/compose.h"
@@ -54,7 +55,8 @@ class Bench {
   }
 
   Row measure(const std::string& title) {
-    Row row{title, n_, measure_bounce(truth_, job_.scene, optics_, drive_, n_), {}};
+    const auto trace = [this](const RayJob& job) { return drive_.trace(job); };
+    Row row{title, n_, measure_bounce(truth_, job_.scene, optics_, trace, n_), {}};
     compare_pictures(row);
     return row;
   }
@@ -92,27 +94,11 @@ class Bench {
         const picture::Image image = picture::compose(
             {n_, drive_.memories().voxels, job_.facets.facets, job_.scene.materials, result.hits},
             lit, depth);
-        row.pictures.push_back(
-            {depth, has_shadows,
-             picture::difference(image, true_picture(lamps, depth, has_shadows))});
+        row.pictures.push_back({depth, has_shadows,
+                                picture::difference(image, true_picture(truth_, sights_, lamps.list,
+                                                                        depth, has_shadows))});
       }
     }
-  }
-
-  picture::Image true_picture(const Lamps& lamps, int depth, bool has_shadows) const {
-    std::vector<truth::Lamp> at;
-    for (const Lamp& lamp : lamps.list) at.push_back({lamp.voxel, lamp.colour, has_shadows});
-    picture::Image image;
-    image.n = n_;
-    image.colour.resize(sights_.size());
-    std::size_t i = 0;
-    for (int y = 0; y < n_; ++y) {
-      for (int x = 0; x < n_; ++x) {
-        const Sight& sight = sights_[i++];
-        image.colour[image.pixel(x, y)] = truth_.colour(sight.from, sight.direction, at, depth);
-      }
-    }
-    return image;
   }
 
   int n_;
