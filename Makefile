@@ -9,6 +9,8 @@
 ##   chapter2  the lines, tunnels and Boolean networks of thesis chapter 2, as the docs show them
 ##   chapter4  the ways that thesis 4.1 and 4.2 compare of finding out what a light reaches, as the docs
 ##             show them
+##   chapter5  chapter 5's choices of normal, hit and owner against the continuous scene, as the docs
+##             show them
 ##   bench-load  loading: cycles of real scenes, leaks, rounded coefficients, speed of the host, as
 ##             the docs show them
 ##   oracle    the voxels of 1,500,000 facets against exact arithmetic, as the docs show it
@@ -108,7 +110,7 @@ cmake_build := cmake --build build -j $(jobs) --target
 test_sizes := 4 5 8 16
 known_sizes := 2 3 $(test_sizes) 32
 
-.PHONY: help setup build coverage mutation sim thesis chapter2 chapter4 bench-load bench-diffusion bench-rtl bench-light bench-render bench report area oracle stress fuzz netlist bus systemc formal test lint sanitize rtl format clean
+.PHONY: help setup build coverage mutation sim thesis chapter2 chapter4 chapter5 bench-load bench-diffusion bench-rtl bench-light bench-render bench report area oracle stress fuzz netlist bus systemc formal test lint sanitize rtl format clean
 .NOTPARALLEL:
 
 help:
@@ -147,6 +149,9 @@ chapter2: build
 
 chapter4: build
 	@scripts/chapter4 '$(OUT)/chapter4'
+
+chapter5: build
+	@scripts/chapter5 '$(OUT)/chapter5'
 
 bench-load: build
 	@scripts/bench-load '$(OUT)/bench-load'

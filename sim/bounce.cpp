@@ -1,7 +1,9 @@
 #include "sim/bounce.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "sim/camera.h"
 #include "sim/render_job.h"
@@ -42,17 +44,19 @@ void judge(const truth::Whitted& truth, const Sight& sight, const RayHit& first,
   sum.distance += off;
   const glm::dvec3 reflected = glm::reflect(sight.direction, want->normal);
   const glm::dvec3 have = glm::normalize(glm::dvec3(second->ray.direction));
-  if (glm::dot(reflected, have) >= kCosineOfDegree) ++sum.straight;
+  const double cosine = std::min(1.0, glm::dot(reflected, have));
+  sum.degrees += glm::degrees(std::acos(cosine));
+  if (cosine >= kCosineOfDegree) ++sum.straight;
 }
 
 // Every facet a mirror: the ray that a hit sends out tells the normal that the machine has.
 void follow(const truth::Whitted& truth, const std::vector<Sight>& sights,
-            std::vector<rays::Facet> optics, Drive& drive, int n, Bounce& sum) {
+            std::vector<rays::Facet> optics, const Trace& trace, int n, Bounce& sum) {
   const auto pixels = static_cast<std::size_t>(n) * static_cast<std::size_t>(n);
   std::vector<RayStart> starts = ray_starts(sights, n);
   starts.resize(pixels);
   make_mirrors(optics);
-  const RayResult result = drive.trace({{1, 1}, &optics, &starts});
+  const RayResult result = trace({{1, 1}, &optics, &starts});
   std::vector<const RayHit*> first(pixels), second(pixels);
   for (const RayHit& hit : result.hits) {
     const auto pixel = static_cast<std::size_t>(hit.ray.home.y) * static_cast<std::size_t>(n) +
@@ -66,7 +70,7 @@ void follow(const truth::Whitted& truth, const std::vector<Sight>& sights,
 }  // namespace
 
 Bounce measure_bounce(const truth::Whitted& truth, const scene::Scene& scene,
-                      const std::vector<rays::Facet>& optics, Drive& drive, int n) {
+                      const std::vector<rays::Facet>& optics, const Trace& trace, int n) {
   scene::Random random(1);
   std::vector<Sight> mirrored, scattered;
   for (Sight sight : front_sights(n)) {
@@ -80,8 +84,8 @@ Bounce measure_bounce(const truth::Whitted& truth, const scene::Scene& scene,
     scattered.push_back({hit->at, random_direction(hit->normal, random)});
   }
   Bounce bounce;
-  follow(truth, mirrored, optics, drive, n, bounce);
-  follow(truth, scattered, optics, drive, n, bounce);
+  follow(truth, mirrored, optics, trace, n, bounce);
+  follow(truth, scattered, optics, trace, n, bounce);
   return bounce;
 }
 

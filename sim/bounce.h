@@ -2,9 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
-#include "sim/drive.h"
+#include "sw/machine/ray_job.h"
 #include "sw/truth/whitted.h"
 
 namespace rc2 {
@@ -16,12 +17,17 @@ struct Bounce {
   std::int64_t gross = 0;     ///< hit where nothing is or the reverse, or over 2 voxels apart
   std::int64_t early = 0;     ///< of these, those that ended too soon
   std::int64_t straight = 0;  ///< not gross, and reflected within a degree of the truth
-  double distance = 0;        ///< sum over those that are not gross, voxels
+  // Sums over those that are not gross.
+  double distance = 0;  ///< voxels
+  double degrees = 0;   ///< between the reflected ray and the true one
 };
 
-/// `drive` has loaded the scene into an n-cube. The points are those that a viewer in front sees;
-/// the same in every run.
+/// Follows the rays of a job.
+using Trace = std::function<RayResult(const RayJob& job)>;
+
+/// `trace` is through the scene in an n-cube. The points are those that a viewer in front sees; the
+/// same in every run.
 Bounce measure_bounce(const truth::Whitted& truth, const scene::Scene& scene,
-                      const std::vector<rays::Facet>& optics, Drive& drive, int n);
+                      const std::vector<rays::Facet>& optics, const Trace& trace, int n);
 
 }  // namespace rc2

@@ -60,6 +60,7 @@ void declare_all(CLI::App& program, ExitCode& exit_code) {
   declare_rounding(program, exit_code);
   declare_loading(program, exit_code);
   declare_load_speed(program, exit_code);
+  declare_virtual_image(program, exit_code);
   declare_walk(program, exit_code);
   declare_emission(program, exit_code);
   declare_diffusion(program, exit_code);
@@ -70,6 +71,7 @@ void declare_all(CLI::App& program, ExitCode& exit_code) {
   declare_peers(program, exit_code);
   declare_render(program, exit_code);
   declare_render_error(program, exit_code);
+  declare_choices(program, exit_code);
   declare_path_table(program, exit_code);
   declare_ray_traffic(program, exit_code);
   declare_network(program, exit_code);

@@ -70,7 +70,10 @@ class Renderer {
                                  job.scene.materials, result.hits};
     if (options_.progressive) {
       const std::vector<LightMemory> none(lamps.list.size());
-      write("0-loaded", picture::compose(traced, lit_lamps(lamps.list, none), 0));
+      const scene::SmoothNormals smooth(job.scene);
+      picture::Traced first = traced;
+      first.smooth = &smooth;
+      write("0-loaded", picture::compose(first, lit_lamps(lamps.list, none), 0));
     }
     drive.light(lamps.list, 2 * options_.n, 1, kLightRule);
     if (!options_.dump.empty()) {

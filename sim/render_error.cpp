@@ -10,6 +10,7 @@
 #include "sim/job.h"
 #include "sim/render_job.h"
 #include "sim/table_command.h"
+#include "sim/true_picture.h"
 #include "sw/facet/optics.h"
 #include "sw/golden/golden_machine.h"
 #include "sw/picture/compose.h"
@@ -29,6 +30,7 @@ struct RenderErrorOptions : TableOptions {
 struct Compared {
   int depth;
   bool has_shadows;  // by the machine's light; else lamps shine everywhere, in truth too
+  bool is_smooth;    // shaded by smooth normals, in truth too: the first picture
   picture::Difference difference;
 };
 
@@ -54,7 +56,8 @@ class Bench {
   }
 
   Row measure(const std::string& title) {
-    Row row{title, n_, measure_bounce(truth_, job_.scene, optics_, drive_, n_), {}};
+    const auto trace = [this](const RayJob& job) { return drive_.trace(job); };
+    Row row{title, n_, measure_bounce(truth_, job_.scene, optics_, trace, n_), {}};
     compare_pictures(row);
     return row;
   }
@@ -84,6 +87,7 @@ class Bench {
     const std::vector<RayStart> starts = ray_starts(sights_, n_);
     const RayResult result =
         drive_.trace({{deepest, weight_of(kDefaultLeastWeight)}, &optics_, &starts});
+    compare_first_picture(row, lamps, result);
     for (const bool has_shadows : {false, true}) {
       const std::vector<picture::Lamp> lit =
           lit_lamps(lamps.list, has_shadows ? drive_.memories().lights
@@ -92,27 +96,24 @@ class Bench {
         const picture::Image image = picture::compose(
             {n_, drive_.memories().voxels, job_.facets.facets, job_.scene.materials, result.hits},
             lit, depth);
-        row.pictures.push_back(
-            {depth, has_shadows,
-             picture::difference(image, true_picture(lamps, depth, has_shadows))});
+        row.pictures.push_back({depth, has_shadows, false,
+                                picture::difference(image, true_picture(truth_, sights_, lamps.list,
+                                                                        depth, has_shadows))});
       }
     }
   }
 
-  picture::Image true_picture(const Lamps& lamps, int depth, bool has_shadows) const {
-    std::vector<truth::Lamp> at;
-    for (const Lamp& lamp : lamps.list) at.push_back({lamp.voxel, lamp.colour, has_shadows});
-    picture::Image image;
-    image.n = n_;
-    image.colour.resize(sights_.size());
-    std::size_t i = 0;
-    for (int y = 0; y < n_; ++y) {
-      for (int x = 0; x < n_; ++x) {
-        const Sight& sight = sights_[i++];
-        image.colour[image.pixel(x, y)] = truth_.colour(sight.from, sight.direction, at, depth);
-      }
-    }
-    return image;
+  // What is shown before there is light (thesis 1.3.2).
+  void compare_first_picture(Row& row, const Lamps& lamps, const RayResult& result) const {
+    const scene::SmoothNormals smooth(job_.scene);
+    const truth::Whitted truth(job_.scene, bodies_of(job_), n_, &smooth);
+    const std::vector<LightMemory> none(lamps.list.size());
+    const picture::Image image = picture::compose({n_, drive_.memories().voxels, job_.facets.facets,
+                                                   job_.scene.materials, result.hits, &smooth},
+                                                  lit_lamps(lamps.list, none), 0);
+    row.pictures.push_back(
+        {0, false, true,
+         picture::difference(image, true_picture(truth, sights_, lamps.list, 0, false))});
   }
 
   int n_;
@@ -150,27 +151,27 @@ void print(const std::vector<Row>& rows) {
                bounce.rays, percent(bounce.gross, bounce.rays), percent(bounce.early, bounce.rays),
                mean_distance(bounce), percent(bounce.straight, bounce.rays));
   }
-  fmt::print("\n{:<24}{:>5}{:>7}{:>9}{:>10}{:>10}{:>10}\n", "scene", "n", "depth", "shadows",
-             "wrong %", "RMSE", "FLIP");
+  fmt::print("\n{:<24}{:>5}{:>7}{:>9}{:>8}{:>10}{:>10}{:>10}\n", "scene", "n", "depth", "shadows",
+             "smooth", "wrong %", "RMSE", "FLIP");
   for (const Row& row : rows)
-    for (const auto& [depth, has_shadows, difference] : row.pictures)
-      fmt::print("{:<24}{:>5}{:>7}{:>9}{:>10.2f}{:>10.4f}{:>10.4f}\n", row.scene, row.n, depth,
-                 has_shadows ? "yes" : "no", 100 * difference.wrong, difference.rmse,
-                 difference.flip);
+    for (const auto& [depth, has_shadows, is_smooth, difference] : row.pictures)
+      fmt::print("{:<24}{:>5}{:>7}{:>9}{:>8}{:>10.2f}{:>10.4f}{:>10.4f}\n", row.scene, row.n, depth,
+                 has_shadows ? "yes" : "no", is_smooth ? "yes" : "no", 100 * difference.wrong,
+                 difference.rmse, difference.flip);
 }
 
 std::string to_csv(const std::vector<Row>& rows) {
   std::string csv =
       "scene,n,rays,gross_percent,early_percent,mean_distance,straight_percent,depth,shadows,"
-      "wrong_percent,rmse,flip\n";
+      "smooth,wrong_percent,rmse,flip\n";
   for (const Row& row : rows) {
     const Bounce& bounce = row.bounce;
-    for (const auto& [depth, has_shadows, difference] : row.pictures)
-      csv += fmt::format("{},{},{},{:.4f},{:.4f},{:.5f},{:.4f},{},{},{:.4f},{:.5f},{:.5f}\n",
-                         row.scene, row.n, bounce.rays, percent(bounce.gross, bounce.rays),
-                         percent(bounce.early, bounce.rays), mean_distance(bounce),
-                         percent(bounce.straight, bounce.rays), depth, has_shadows ? 1 : 0,
-                         100 * difference.wrong, difference.rmse, difference.flip);
+    for (const auto& [depth, has_shadows, is_smooth, difference] : row.pictures)
+      csv += fmt::format(
+          "{},{},{},{:.4f},{:.4f},{:.5f},{:.4f},{},{},{},{:.4f},{:.5f},{:.5f}\n", row.scene, row.n,
+          bounce.rays, percent(bounce.gross, bounce.rays), percent(bounce.early, bounce.rays),
+          mean_distance(bounce), percent(bounce.straight, bounce.rays), depth, has_shadows ? 1 : 0,
+          is_smooth ? 1 : 0, 100 * difference.wrong, difference.rmse, difference.flip);
   }
   return csv;
 }

@@ -32,7 +32,12 @@ class Composer {
                       "the machine with this scene",
                       hit.facet));
     const facet::FacetInfo& facet = traced_.facets[hit.facet];
-    const glm::vec3 normal = hit.is_back ? -facet.normal : facet.normal;
+    const glm::vec3 outward =
+        traced_.smooth != nullptr
+            ? glm::vec3(traced_.smooth->at(facet.polygon,
+                                           glm::dvec3(hit.point) / double{rays::kPlaceOne}))
+            : facet.normal;
+    const glm::vec3 normal = hit.is_back ? -outward : outward;
     const bool is_first = hit.ray.node == 1;
     if (is_first) {
       const glm::vec3 way = glm::vec3(hit.point - hit.ray.origin) / float{rays::kPlaceOne};

@@ -3,6 +3,7 @@
 
 #include "sw/machine/machine.h"
 #include "sw/picture/render.h"
+#include "sw/scene/smooth.h"
 
 namespace rc2::picture {
 
@@ -13,6 +14,7 @@ struct Traced {
   const std::vector<facet::FacetInfo>& facets;
   const std::vector<scene::Material>& materials;
   const std::vector<RayHit>& hits;
+  const scene::SmoothNormals* smooth = nullptr;  ///< what is shaded by; null: the facets' normals
 };
 
 /// Adds up what the hits of each pixel send to it (thesis 1.1, I_R and I_T): each is worth its

@@ -8,8 +8,9 @@
 
 namespace rc2::truth {
 
-Whitted::Whitted(const scene::Scene& scene, std::vector<rays::Body> bodies, int n)
-    : scene_(scene), bodies_(std::move(bodies)), n_(n), surface_(scene) {}
+Whitted::Whitted(const scene::Scene& scene, std::vector<rays::Body> bodies, int n,
+                 const scene::SmoothNormals* smooth)
+    : scene_(scene), bodies_(std::move(bodies)), n_(n), smooth_(smooth), surface_(scene) {}
 
 bool Whitted::is_glass(std::uint32_t polygon) const {
   return bodies_[polygon] == rays::Body::solid &&
@@ -35,13 +36,16 @@ std::optional<Whitted::Hit> Whitted::first_hit(const glm::dvec3& from, const glm
 glm::vec3 Whitted::shade(const Hit& hit, const glm::dvec3& direction,
                          const std::vector<Lamp>& lamps) const {
   const scene::Material& material = scene_.materials[scene_.material[hit.polygon]];
+  glm::dvec3 normal = hit.normal;
+  if (smooth_ != nullptr)
+    normal = hit.is_back ? -smooth_->at(hit.polygon, hit.at) : smooth_->at(hit.polygon, hit.at);
   glm::vec3 colour = scene::own_light(material);
   for (const Lamp& lamp : lamps) {
     const glm::dvec3 way = lamp.at - hit.at;
     const double distance = glm::length(way);
-    if (distance == 0 || glm::dot(way, hit.normal) <= 0) continue;
+    if (distance == 0 || glm::dot(way, normal) <= 0) continue;
     if (lamp.casts_shadows && !surface_.sees(hit.at + kLift * hit.normal, lamp.at)) continue;
-    colour += scene::thrown_back(material, hit.normal, -direction, way / distance) *
+    colour += scene::thrown_back(material, normal, -direction, way / distance) *
               scene::faded(lamp.colour, static_cast<float>(distance), n_);
   }
   return colour;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sw/rays/ray.h"
+#include "sw/scene/smooth.h"
 #include "sw/truth/surface.h"
 
 namespace rc2::truth {
@@ -21,8 +22,10 @@ struct Lamp {
 class Whitted {
  public:
   /// `bodies` says of each polygon what it belongs to; n is the side of the cube, by which light
-  /// fades. The scene must outlive this.
-  Whitted(const scene::Scene& scene, std::vector<rays::Body> bodies, int n);
+  /// fades. Surfaces are shaded by `smooth` normals, by their own if there are none; rays are
+  /// always reflected by their own. All must outlive this.
+  Whitted(const scene::Scene& scene, std::vector<rays::Body> bodies, int n,
+          const scene::SmoothNormals* smooth = nullptr);
 
   struct Hit {
     glm::dvec3 at;
@@ -49,6 +52,7 @@ class Whitted {
   const scene::Scene& scene_;
   std::vector<rays::Body> bodies_;
   int n_;
+  const scene::SmoothNormals* smooth_;
   Surface surface_;
 };
 

@@ -103,13 +103,14 @@ class Render(HostTest):
         self.succeed("render-error", "gallery", "--n", "16,64", "--depth", "0,1", "--out", "error.csv")
         with open(self.folder / "error.csv", newline="") as file:
             rows = list(csv.DictReader(file))
-        self.assertEqual(len(rows), 2 * 2 * 2)
+        self.assertEqual(len(rows), 2 * (1 + 2 * 2))
         coarse, fine = ([row for row in rows if row["n"] == n] for n in ("16", "64"))
         for a, b in zip(coarse, fine):
             for column in "wrong_percent", "rmse", "flip":
                 self.assertLess(float(b[column]), float(a[column]), (column, b["depth"]))
         self.assertLess(float(fine[0]["gross_percent"]), 0.5)
         self.assertGreater(float(fine[0]["straight_percent"]), 97)
+        self.assertEqual([row["smooth"] for row in fine], ["1", "0", "0", "0", "0"])
         one_bounce = next(row for row in fine if row["depth"] == "1" and row["shadows"] == "0")
         self.assertLess(float(one_bounce["wrong_percent"]), 4)
 
