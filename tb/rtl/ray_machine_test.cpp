@@ -1,0 +1,117 @@
+// Rays on the Verilated array: every hit as golden has it, bit for bit, and none lost, however deep the
+// queues are.
+#include <gtest/gtest.h>
+
+#include "sim/rtl_machine.h"
+#include "sw/facet/layers.h"
+#include "sw/facet/optics.h"
+#include "sw/golden/golden_machine.h"
+#include "sw/report/laws.h"
+#include "tb/unit/random_rays.h"
+
+namespace rc2 {
+namespace {
+
+constexpr int kFraction = 6;
+
+std::unique_ptr<Machine> make_rtl(int n) {
+  return make_rtl_machine("rays_n" + std::to_string(n), {});
+}
+
+class Pair {
+ public:
+  Pair(Machine& rtl, const std::string& scene) : Pair(rtl, scene::generate(scene, rtl.config().n)) {}
+  Pair(Machine& rtl, const scene::Scene& scene)
+      : rtl_(rtl),
+        n_(rtl.config().n),
+        facets_(facet::build_layers(scene, n_, kFraction)),
+        optics_(facet::find_optics(facets_.facets, scene.materials)),
+        golden_(rtl.config()) {
+    golden_.load(facets_.packets, {});
+    rtl_.load(facets_.packets, {});
+  }
+
+  // Facets of every kind: mirrors, glass, both, and dull ones.
+  void shuffle_optics(std::uint64_t seed) {
+    scene::Random random(seed);
+    for (rays::Facet& facet : optics_) {
+      facet.mirror = static_cast<std::uint16_t>(64 * random.below(5));
+      facet.clear = static_cast<std::uint16_t>(rays::kShareOne - facet.mirror);
+      facet.enter = static_cast<std::uint16_t>(rays::kIndexOne * 2 / (2 + random.below(3)));
+      facet.leave = static_cast<std::uint16_t>(rays::kIndexOne * (2 + random.below(3)) / 2);
+    }
+  }
+
+  RayTraffic compare(const rays::Limits& limits, int queue,
+                     const std::vector<RayStart>* starts = nullptr) {
+    const RayJob job{limits, &optics_, starts, queue};
+    const RayResult want = golden_.trace(job, {}), have = rtl_.trace(job, {});
+    report::check_rays(have);
+    EXPECT_EQ(want.hits.size(), have.hits.size());
+    for (std::size_t i = 0; i < std::min(want.hits.size(), have.hits.size()); ++i) {
+      if (want.hits[i] == have.hits[i]) continue;
+      const RayHit &a = want.hits[i], &b = have.hits[i];
+      ADD_FAILURE() << "pixel " << a.ray.home.x << "," << a.ray.home.y << " node "
+                    << int{a.ray.node} << " facet " << a.facet << " and node " << int{b.ray.node}
+                    << " facet " << b.facet;
+      break;
+    }
+    EXPECT_TRUE(want.counts == have.counts);
+    EXPECT_GT(have.traffic.cycles, 0);
+    return have.traffic;
+  }
+
+  std::vector<RayStart> random_starts(std::uint64_t seed) const {
+    scene::Random random(seed);
+    std::vector<RayStart> starts;
+    for (int i = 0; i < n_ * n_; ++i) {
+      const rays::Ray ray = random_ray(random, n_);
+      starts.push_back({ray.origin, ray.direction});
+    }
+    return starts;
+  }
+
+ private:
+  Machine& rtl_;
+  int n_;
+  facet::FacetSet facets_;
+  std::vector<rays::Facet> optics_;
+  golden::GoldenMachine golden_;
+};
+
+class RayMachine : public ::testing::TestWithParam<int> {
+ protected:
+  std::unique_ptr<Machine> rtl_ = make_rtl(GetParam());
+};
+
+TEST_P(RayMachine, HitsWhatGoldenHits) {
+  for (const char* scene : {"gallery", "room", "ball:1.5", "dust:8:1", "empty"}) {
+    SCOPED_TRACE(scene);
+    Pair pair(*rtl_, scene);
+    pair.compare({4, 16}, 2);
+    pair.compare({0, 1}, 1);
+  }
+}
+
+TEST_P(RayMachine, DoesNotBlockWhereRaysStartAnywhereInAnyDirection) {
+  RayTraffic sum;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    SCOPED_TRACE(seed);
+    Pair pair(*rtl_, seed % 2 == 0 ? "gallery" : "dust:6:3");
+    pair.shuffle_optics(seed);
+    const std::vector<RayStart> starts = pair.random_starts(seed);
+    const RayTraffic traffic = pair.compare({4, 16}, seed < 4 ? 1 : 2, &starts);
+    sum.run_on += traffic.run_on;
+    sum.sent_again += traffic.sent_again;
+    sum.hops += traffic.hops;
+  }
+  EXPECT_GT(sum.run_on, 0);
+  EXPECT_GT(sum.sent_again, 0);
+  EXPECT_GT(sum.hops, 0);
+}
+
+constexpr int kSizes[] = RC2_RAY_SIZES;
+INSTANTIATE_TEST_SUITE_P(Sizes, RayMachine, ::testing::ValuesIn(kSizes));
+
+}  // namespace
+}  // namespace rc2
