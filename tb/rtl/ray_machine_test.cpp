@@ -1,8 +1,9 @@
 // Rays on the Verilated array: every hit as golden has it, bit for bit, and none lost, however deep the
-// queues are.
+// queues are; every count and the cycles as the cycle model has them.
 #include <gtest/gtest.h>
 
 #include "sim/rtl_machine.h"
+#include "sw/cycle/cycle_machine.h"
 #include "sw/facet/layers.h"
 #include "sw/facet/optics.h"
 #include "sw/golden/golden_machine.h"
@@ -26,8 +27,10 @@ class Pair {
         n_(rtl.config().n),
         facets_(facet::build_layers(scene, n_, kFraction)),
         optics_(facet::find_optics(facets_.facets, scene.materials)),
-        golden_(rtl.config()) {
+        golden_(rtl.config()),
+        cycle_(rtl.config()) {
     golden_.load(facets_.packets, {});
+    cycle_.load(facets_.packets, {});
     rtl_.load(facets_.packets, {});
   }
 
@@ -57,8 +60,14 @@ class Pair {
       break;
     }
     EXPECT_TRUE(want.counts == have.counts);
-    EXPECT_GT(have.traffic.cycles, 0);
-    return have.traffic;
+    const RayTraffic is = have.traffic, ought = cycle_.trace(job, {}).traffic;
+    EXPECT_EQ(is.cycles, ought.cycles);
+    EXPECT_EQ(is.busiest, ought.busiest);
+    EXPECT_EQ(is.hops, ought.hops);
+    EXPECT_EQ(is.answers, ought.answers);
+    EXPECT_EQ(is.run_on, ought.run_on);
+    EXPECT_EQ(is.sent_again, ought.sent_again);
+    return is;
   }
 
   std::vector<RayStart> random_starts(std::uint64_t seed) const {
@@ -77,6 +86,7 @@ class Pair {
   facet::FacetSet facets_;
   std::vector<rays::Facet> optics_;
   golden::GoldenMachine golden_;
+  cycle::CycleMachine cycle_;
 };
 
 class RayMachine : public ::testing::TestWithParam<int> {
