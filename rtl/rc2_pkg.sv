@@ -443,7 +443,8 @@ package rc2_pkg;
 
   // A link of the network: for which queue the message is, a bit each, and the message.
   localparam int unsigned LongerW = (RayW > AnswerW) ? RayW : AnswerW;
-  localparam int unsigned MessageW = (LongerW > StartW) ? LongerW : StartW;
+  // In whole words of 32 bits, which simulators copy best; what nothing fills is no hardware.
+  localparam int unsigned MessageW = 32 * ((LongerW + 31) / 32);
   localparam int unsigned LinkRoomW = 6;  // rays of each quadrant {south, west}, answers, starts
   localparam int unsigned LinkW = RAYS ? LinkRoomW + MessageW : 1;
 

@@ -25,7 +25,7 @@ module rc2_ray_engine (
     input  rc2_pkg::optics_t                 optics_i,
     // heads of the queues, quadrant {south, west} and axis of the way in as a number
     input  logic [                      7:0] waits_i,
-    input  logic [    8*rc2_pkg::RayW-1:0] heads_i,
+    input  logic [  8*rc2_pkg::MessageW-1:0] heads_i,
     output logic [                      7:0] pass_o,  // the head goes on, as ray_o
     output logic [                      7:0] pop_o,   // the head has ended
     // rays that begin here
@@ -49,7 +49,7 @@ module rc2_ray_engine (
 );
   localparam int unsigned N = rc2_pkg::N;
   localparam int unsigned CoordW = rc2_pkg::CoordW;
-  localparam int unsigned RayW = rc2_pkg::RayW;
+  localparam int unsigned MessageW = rc2_pkg::MessageW;
   localparam int unsigned PlaceW = rc2_pkg::PlaceW;
   localparam int unsigned PlaceFracW = rc2_pkg::PlaceFracW;
   localparam int unsigned DirW = rc2_pkg::DirW;
@@ -69,7 +69,7 @@ module rc2_ray_engine (
   logic take_spawned, take_head;
   logic [7:0] turn, of_q;
   logic begins_q;  // it began here
-  logic [RayW-1:0] head_bits;
+  logic [MessageW-1:0] head_bits;
   rc2_pkg::ray_t head, ray_q, ray;
   rc2_pkg::start_t start;
   assign take_spawned = idle && spawned_i && launch_room_i;
@@ -86,9 +86,9 @@ module rc2_ray_engine (
   );
   always_comb begin
     head_bits = '0;
-    for (int i = 0; i < 8; i++) head_bits = head_bits | (heads_i[i*RayW+:RayW] & {RayW{turn[i]}});
+    for (int i = 0; i < 8; i++) head_bits = head_bits | (heads_i[i*MessageW+:MessageW] & {MessageW{turn[i]}});
   end
-  assign head = head_bits;
+  assign head = head_bits[rc2_pkg::RayW-1:0];
   assign ray = idle ? head : ray_q;
   assign start = ray.start;
 

@@ -21,7 +21,7 @@ module rc2_ray_home (
     input  logic                              taken_i,
     // answers
     input  logic [                       4:0] arrived_i,
-    input  logic [    5*rc2_pkg::AnswerW-1:0] answers_i,
+    input  logic [   5*rc2_pkg::MessageW-1:0] answers_i,
     output logic [                       4:0] arrived_taken_o,
     // what to count
     input  logic                              probe_i,
@@ -39,7 +39,7 @@ module rc2_ray_home (
     output logic                              busy_o
 );
   localparam int unsigned StartW = rc2_pkg::StartW;
-  localparam int unsigned AnswerW = rc2_pkg::AnswerW;
+  localparam int unsigned MessageW = rc2_pkg::MessageW;
   localparam int unsigned NodeW = rc2_pkg::NodeW;
   localparam int unsigned HitW = rc2_pkg::HitW;
   localparam int unsigned HitWords = rc2_pkg::HitWords;
@@ -51,7 +51,7 @@ module rc2_ray_home (
 
   // ---- Answers -----------------------------------------------------------------------------------
   logic [4:0] turn, chosen, held_q;  // held: the answer whose first ray has been taken
-  logic [AnswerW-1:0] bits;
+  logic [MessageW-1:0] bits;
   rc2_pkg::answer_t answer;
   rc2_pkg::start_t sender, again;
   logic second, done;
@@ -68,9 +68,9 @@ module rc2_ray_home (
   assign chosen = second ? held_q : turn;
   always_comb begin
     bits = '0;
-    for (int i = 0; i < 5; i++) bits = bits | (answers_i[i*AnswerW+:AnswerW] & {AnswerW{chosen[i]}});
+    for (int i = 0; i < 5; i++) bits = bits | (answers_i[i*MessageW+:MessageW] & {MessageW{chosen[i]}});
   end
-  assign answer = bits;
+  assign answer = bits[rc2_pkg::AnswerW-1:0];
   assign sender = answer.start;
   assign done = (chosen != 0) && (second || !(answer.mirrored && answer.cleared));
   assign arrived_taken_o = done ? chosen : '0;

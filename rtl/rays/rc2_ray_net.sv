@@ -22,7 +22,7 @@ module rc2_ray_net (
     input  logic [ 4*rc2_pkg::LinkRoomW-1:0] room_i,
     // the heads of the rays, and what becomes of them
     output logic [                      7:0] waits_o,  // for the probe
-    output logic [      8*rc2_pkg::RayW-1:0] heads_o,
+    output logic [  8*rc2_pkg::MessageW-1:0] heads_o,
     input  logic [                      7:0] pass_i,   // goes on as ray_i
     input  logic [                      7:0] pop_i,    // has ended
     input  rc2_pkg::ray_t                    ray_i,
@@ -43,7 +43,7 @@ module rc2_ray_net (
     output logic                             home_taken_o,
     // answers that have come home: four from the ways and the cell's own
     output logic [                      4:0] arrived_o,
-    output logic [   5*rc2_pkg::AnswerW-1:0] answers_o,
+    output logic [  5*rc2_pkg::MessageW-1:0] answers_o,
     input  logic [                      4:0] arrived_taken_i,
     output logic [                      2:0] hops_o,  // rays that leave the cell
     output logic                             busy_o
@@ -103,7 +103,7 @@ module rc2_ray_net (
     );
     assign has[k] = (count != 0);
     assign room[k] = (count < places);
-    assign heads_o[k*RayW+:RayW] = bits;
+    assign heads_o[k*MessageW+:MessageW] = MessageW'(bits);
     assign waits_o[k] = has[k] && !probed;
     assign message[k*MessageW+:MessageW] = MessageW'(bits);
     assign wish[k*5+:5] = {
@@ -161,7 +161,7 @@ module rc2_ray_net (
       assign has[Answers+w] = answer_i;
       assign room[Answers+w] = 1'b0;
     end
-    assign answers_o[w*AnswerW+:AnswerW] = bits;
+    assign answers_o[w*MessageW+:MessageW] = MessageW'(bits);
     assign message[(Answers+w)*MessageW+:MessageW] = MessageW'(bits);
     assign arrived_o[w] = wish[(Answers+w)*5+4];
     rc2_ray_way u_way (

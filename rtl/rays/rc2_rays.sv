@@ -84,14 +84,14 @@ module rc2_rays (
   // ---- Tracing -----------------------------------------------------------------------------------
   logic running_q, net_busy, reading;
   logic [7:0] waits, pass, pop;
-  logic [8*rc2_pkg::RayW-1:0] heads;
+  logic [8*rc2_pkg::MessageW-1:0] heads;
   rc2_pkg::ray_t ray;
   rc2_pkg::start_t spawned_ray, spawn_ray, home_ray;
   rc2_pkg::answer_t answer_ray;
   logic spawned, spawned_taken, launch_room, launch, spawn_room, spawn;
   logic answer, answer_taken, home, home_taken, probed, plane;
   logic [4:0] arrived, arrived_taken;
-  logic [5*rc2_pkg::AnswerW-1:0] answers;
+  logic [5*rc2_pkg::MessageW-1:0] answers;
   logic [2:0] hops;
   rc2_ray_engine u_engine (
       .clk_i          (clk_i),
