@@ -178,13 +178,13 @@ class VerilatedMachine final : public Machine {
           "this Verilated machine has no cells for rays; build one that has, or use --machine "
           "golden or cycle");
     if (job.limits.depth > config_.ray_depth || job.queue > config_.ray_queue)
-      throw Error(fmt::format(
-          "the rays cannot be traced: depth {} and queues of {} places, where the Verilated machine "
-          "was built for {} and {}; ask for less, or raise RC2_RAYDEPTH and RC2_RAYQ",
-          job.limits.depth, job.queue, config_.ray_depth, config_.ray_queue));
+      throw Error(
+          fmt::format("the rays cannot be traced: depth {} and queues of {} places, where the "
+                      "Verilated machine "
+                      "was built for {} and {}; ask for less, or raise RC2_RAYDEPTH and RC2_RAYQ",
+                      job.limits.depth, job.queue, config_.ray_depth, config_.ray_queue));
     write_register(kCommand, kCommandClearRays);
-    write_register(kRayLimits,
-                   ray_limits(job.limits.depth, job.queue, job.limits.least_weight));
+    write_register(kRayLimits, ray_limits(job.limits.depth, job.queue, job.limits.least_weight));
     send_rays(job);
     wait_until_idle();
     write_register(kCommand, kCommandTrace);

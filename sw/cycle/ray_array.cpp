@@ -66,17 +66,12 @@ void RayArray::serve(std::size_t cell) {
   Cell& here = cells_[cell];
   if (here.messages == 0 && here.home.empty() && !here.work && !here.launched) return;
   work(cell);
+  here.wishes.fill(0);
+  for (unsigned sender = 0; sender < kSenders; ++sender)
+    if (const auto way = wish(cell, sender)) here.wishes[*way] |= 1U << sender;
   for (unsigned way = kEast; way < kHere; ++way) drive_link(cell, way);
   begin_ray(cell);
   take_home(cell);
-}
-
-template <typename Test>
-std::uint32_t RayArray::those(unsigned first, unsigned count, Test test) const {
-  std::uint32_t found = 0;
-  for (unsigned sender = first; sender < first + count; ++sender)
-    if (test(sender)) found |= 1U << sender;
-  return found;
 }
 
 void RayArray::work(std::size_t cell) {
@@ -114,10 +109,11 @@ void RayArray::take_up(std::size_t cell) {
     let_go(cell, kSpawned);
     look += ray_timing::begin(n_);
   } else {
-    const std::uint32_t waiting = those(kRays, kLaunched, [&](unsigned queue) {
+    std::uint32_t waiting = 0;
+    for (unsigned queue = kRays; queue < kLaunched; ++queue) {
       const auto ray = front(cell, queue);
-      return ray && !rays_[*ray].is_probed();
-    });
+      if (ray && !rays_[*ray].is_probed()) waiting |= 1U << queue;
+    }
     if (waiting == 0) return;
     now.queue = here.probe_turn.take(waiting);
     now.ray = *front(cell, now.queue);
@@ -177,13 +173,14 @@ void RayArray::answer(std::size_t cell) {
 
 // Answers before starts before rays: what is nearer to its end makes room.
 void RayArray::drive_link(std::size_t cell, unsigned way) {
-  std::int64_t rays_that_wish = 0;
-  const std::uint32_t able = those(0, kSenders, [&](unsigned sender) {
-    if (wish(cell, sender) != way) return false;
-    if (is_of_rays(sender)) ++rays_that_wish;
-    return queues_.room(next_queue(cell, sender, way)) > 0;
-  });
-  result_.traffic.waits += rays_that_wish;
+  const std::uint32_t wishing = cells_[cell].wishes[way];
+  if (wishing == 0) return;
+  std::uint32_t able = 0;
+  for (std::uint32_t rest = wishing; rest != 0; rest &= rest - 1) {
+    const unsigned sender = first_of(rest);
+    if (is_of_rays(sender)) ++result_.traffic.waits;
+    if (queues_.room(next_queue(cell, sender, way)) > 0) able |= 1U << sender;
+  }
   if (able == 0) return;
   std::uint32_t first = able & kAnswerMask;
   if (first == 0) first = able & ~kRayMask;
@@ -204,8 +201,7 @@ void RayArray::drive_link(std::size_t cell, unsigned way) {
 void RayArray::begin_ray(std::size_t cell) {
   Cell& here = cells_[cell];
   if (room(cell, kSpawned) == 0 || here.begins_child) return;
-  const std::uint32_t arrived = those(
-      kStarts, kSenders - kStarts, [&](unsigned sender) { return wish(cell, sender) == kHere; });
+  const std::uint32_t arrived = here.wishes[kHere] & ~(kRayMask | kAnswerMask);
   if (arrived == 0) return;
   const unsigned sender = here.start_turn.take(arrived);
   spawn(cell, *front(cell, sender));
@@ -219,9 +215,7 @@ void RayArray::take_home(std::size_t cell) {
   if (here.held) {
     sender = *here.held;
   } else {
-    const std::uint32_t arrived = those(kAnswers, kStarts - kAnswers, [&](unsigned queue) {
-      return wish(cell, queue) == kHere;
-    });
+    const std::uint32_t arrived = here.wishes[kHere] & kAnswerMask;
     if (arrived == 0) return;
     sender = here.home_turn.take(arrived);
   }

@@ -40,7 +40,7 @@ class RayArray {
     std::uint32_t ray;
     unsigned queue;  // that it came from
     std::int64_t pass_at = kNever, end_at = kNever, answer_at = kNever;
-    std::uint32_t answer = 0;  // from answer_at on
+    std::uint32_t answer = 0;                           // from answer_at on
     std::optional<rays::Ray> reflected{}, refracted{};  // that have not begun here
   };
   // What a cell has beside its queues.
@@ -54,6 +54,8 @@ class RayArray {
     std::int64_t work_cycles = 0;
     std::uint32_t messages = 0;  // in its queues
     bool begins_child = false;   // in this cycle
+    std::array<std::uint32_t, kHere + 1>
+        wishes{};  // in this cycle: of each way, who wants to go it
   };
 
   void serve(std::size_t cell);
@@ -80,8 +82,6 @@ class RayArray {
     return queues_.room(RayQueues::number(cell, queue));
   }
   glm::ivec2 place(std::size_t cell) const;
-  template <typename Test>
-  std::uint32_t those(unsigned first, unsigned count, Test test) const;
 
   static constexpr std::int64_t kNever = -1;
 

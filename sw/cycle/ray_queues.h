@@ -11,9 +11,9 @@
 namespace rc2::cycle {
 
 /// Who may send from a cell (rtl/rays/rc2_ray_net.sv). A queue takes messages of one class from one
-/// side, so that no message waits behind one that goes elsewhere for another reason. The last of the
-/// answers and of the starts, and the ray that has begun here, are no queues: they wait where they are
-/// made.
+/// side, so that no message waits behind one that goes elsewhere for another reason. The last of
+/// the answers and of the starts, and the ray that has begun here, are no queues: they wait where
+/// they are made.
 namespace ray_queue {
 constexpr unsigned kRays = 0;      ///< 4 quadrants from 2 sides: quadrant * 2 + axis
 constexpr unsigned kLaunched = 8;  ///< the ray that has begun here

@@ -21,8 +21,8 @@ constexpr int refract(int n, bool all_is_reflected) {
                           : 1 + 3 + 3 + (1 + root_bits(n)) + 4 + (1 + bend_quotient_bits(n)) + 3;
 }
 
-/// From the cycle in which a ray that begins is taken up to that in which its column is looked into:
-/// its launch, one to take over what came of it.
+/// From the cycle in which a ray that begins is taken up to that in which its column is looked
+/// into: its launch, one to take over what came of it.
 constexpr int begin(int n) { return launch(n) + 2; }
 
 /// From there to the verdict on the last of the voxels that are read: address, planes, verdict.

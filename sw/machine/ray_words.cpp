@@ -38,14 +38,13 @@ void add_surface(const WordFormat& format, const rays::Facet& facet, std::vector
 
 void add_ray(const WordFormat& format, const rays::Ray& ray, int n, std::vector<HostWord>& words) {
   const int place = rays::place_bits(n), direction = rays::direction_bits(n);
-  words.emplace_back(
-      format, RaySort::origin,
-      std::initializer_list<Field>{
-          {ray.origin.z, place}, {ray.origin.y, place}, {ray.origin.x, place}});
-  words.emplace_back(
-      format, RaySort::direction,
-      std::initializer_list<Field>{
-          {ray.direction.z, direction}, {ray.direction.y, direction}, {ray.direction.x, direction}});
+  words.emplace_back(format, RaySort::origin,
+                     std::initializer_list<Field>{
+                         {ray.origin.z, place}, {ray.origin.y, place}, {ray.origin.x, place}});
+  words.emplace_back(format, RaySort::direction,
+                     std::initializer_list<Field>{{ray.direction.z, direction},
+                                                  {ray.direction.y, direction},
+                                                  {ray.direction.x, direction}});
 }
 
 // Takes fields from the lowest bit on out of the values of some beats.

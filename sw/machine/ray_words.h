@@ -1,7 +1,7 @@
 // What a machine with cells for rays is sent before a trace, and what it answers (rtl/rays).
 //
-// Two RAY words after a HEAD say how a facet reflects and refracts: every voxel of the HEAD's box that
-// the facet owns keeps them. Two after the HEAD of one cell are its pixel's first ray.
+// Two RAY words after a HEAD say how a facet reflects and refracts: every voxel of the HEAD's box
+// that the facet owns keeps them. Two after the HEAD of one cell are its pixel's first ray.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
-// Rays on the Verilated array: every hit as golden has it, bit for bit, and none lost, however deep the
-// queues are; every count and the cycles as the cycle model has them.
+// Rays on the Verilated array: every hit as golden has it, bit for bit, and none lost, however deep
+// the queues are; every count and the cycles as the cycle model has them.
 #include <gtest/gtest.h>
 
 #include "sim/rtl_machine.h"
@@ -21,7 +21,8 @@ std::unique_ptr<Machine> make_rtl(int n) {
 
 class Pair {
  public:
-  Pair(Machine& rtl, const std::string& scene) : Pair(rtl, scene::generate(scene, rtl.config().n)) {}
+  Pair(Machine& rtl, const std::string& scene)
+      : Pair(rtl, scene::generate(scene, rtl.config().n)) {}
   Pair(Machine& rtl, const scene::Scene& scene)
       : rtl_(rtl),
         n_(rtl.config().n),
