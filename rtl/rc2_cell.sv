@@ -92,7 +92,10 @@ module rc2_cell (
     input  logic           [ rc2_pkg::LinkW-1:0] ray2_i,
     input  logic           [ rc2_pkg::LinkW-1:0] ray3_i,
     output logic           [4*rc2_pkg::LinkRoomW-1:0] ray_room_o,
-    output logic           [4*rc2_pkg::LinkW-1:0] ray_o,
+    output logic           [ rc2_pkg::LinkW-1:0] ray0_o,
+    output logic           [ rc2_pkg::LinkW-1:0] ray1_o,
+    output logic           [ rc2_pkg::LinkW-1:0] ray2_o,
+    output logic           [ rc2_pkg::LinkW-1:0] ray3_o,
     input  logic           [4*rc2_pkg::LinkRoomW-1:0] ray_room_i,
     // targets on their way home: all that ended, and those of them that were skipped
     input  logic           [rc2_pkg::HomeW-1:0] home_i,
@@ -197,7 +200,7 @@ module rc2_cell (
         .data_ready_i     (word_ready_i),
         .link_i           ({ray3_i, ray2_i, ray1_i, ray0_i}),
         .room_o           (ray_room_o),
-        .link_o           (ray_o),
+        .link_o           ({ray3_o, ray2_o, ray1_o, ray0_o}),
         .room_i           (ray_room_i),
         .busy_o           (rays_busy)
     );
@@ -206,7 +209,7 @@ module rc2_cell (
     assign ray_ready = 1'b1;
     assign ray_data = '0;
     assign ray_room_o = '0;
-    assign ray_o = '0;
+    assign {ray3_o, ray2_o, ray1_o, ray0_o} = '0;
   end
 
   // ---- Where the cell is, seen from the light ------------------------------------------------------

@@ -119,7 +119,7 @@ module rc2_grid (
       logic [MatrixW-1:0] zx, zy, zd;
       logic [HomeW-1:0] home, skipped;
       logic [ReachW-1:0] ne, nw, sw, se;
-      logic [4*LinkW-1:0] ray;  // by the way that a message goes: E W N S
+      logic [LinkW-1:0] ray0, ray1, ray2, ray3;  // by the way that a message goes: E W N S
       logic [4*LinkRoomW-1:0] ray_room;
       logic wv, wr, busy;  // word to the east, ready to the west
       logic [RowWordW-1:0] w;
@@ -140,7 +140,10 @@ module rc2_grid (
         assign sw = rc2_pkg::NoReach;
         assign se = rc2_pkg::NoReach;
         assign busy = 1'b0;
-        assign ray = '0;
+        assign ray0 = '0;
+        assign ray1 = '0;
+        assign ray2 = '0;
+        assign ray3 = '0;
         assign ray_room = '0;
         if (x == 0 && y >= 1 && y <= N) begin : feed  // row y-1 starts here
           assign wv = west_valid_i[y-1];
@@ -239,12 +242,15 @@ module rc2_grid (
             .nw_o        (nw),
             .sw_o        (sw),
             .se_o        (se),
-            .ray0_i      (g[y].c[x-1].ray[0+:LinkW]),
-            .ray1_i      (g[y].c[x+1].ray[LinkW+:LinkW]),
-            .ray2_i      (g[y-1].c[x].ray[2*LinkW+:LinkW]),
-            .ray3_i      (g[y+1].c[x].ray[3*LinkW+:LinkW]),
+            .ray0_i      (g[y].c[x-1].ray0),
+            .ray1_i      (g[y].c[x+1].ray1),
+            .ray2_i      (g[y-1].c[x].ray2),
+            .ray3_i      (g[y+1].c[x].ray3),
             .ray_room_o  (ray_room),
-            .ray_o       (ray),
+            .ray0_o      (ray0),
+            .ray1_o      (ray1),
+            .ray2_o      (ray2),
+            .ray3_o      (ray3),
             .ray_room_i  ({
               g[y-1].c[x].ray_room[3*LinkRoomW+:LinkRoomW],
               g[y+1].c[x].ray_room[2*LinkRoomW+:LinkRoomW],
