@@ -20,6 +20,9 @@ module rc2_cell (
     input  logic                               start_i,
     input  logic                               accurate_i,
     input  rc2_pkg::light_t                    light_i,
+    input  logic                               ray_clear_i,
+    input  logic                               ray_start_i,
+    input  rc2_pkg::limits_t                   limits_i,
     // row pipe: from the west, to the east
     /*verilator tracing_on*/
     input  logic                               word_valid_i,
@@ -83,6 +86,17 @@ module rc2_cell (
     output logic           [rc2_pkg::ReachW-1:0] nw_o,
     output logic           [rc2_pkg::ReachW-1:0] sw_o,
     output logic           [rc2_pkg::ReachW-1:0] se_o,
+    // links of the rays, by the way that a message goes: E W N S
+    input  logic           [ rc2_pkg::LinkW-1:0] ray0_i,
+    input  logic           [ rc2_pkg::LinkW-1:0] ray1_i,
+    input  logic           [ rc2_pkg::LinkW-1:0] ray2_i,
+    input  logic           [ rc2_pkg::LinkW-1:0] ray3_i,
+    output logic           [4*rc2_pkg::LinkRoomW-1:0] ray_room_o,
+    output logic           [ rc2_pkg::LinkW-1:0] ray0_o,
+    output logic           [ rc2_pkg::LinkW-1:0] ray1_o,
+    output logic           [ rc2_pkg::LinkW-1:0] ray2_o,
+    output logic           [ rc2_pkg::LinkW-1:0] ray3_o,
+    input  logic           [4*rc2_pkg::LinkRoomW-1:0] ray_room_i,
     // targets on their way home: all that ended, and those of them that were skipped
     input  logic           [rc2_pkg::HomeW-1:0] home_i,
     output logic           [rc2_pkg::HomeW-1:0] home_o,
@@ -110,6 +124,13 @@ module rc2_cell (
   logic [rc2_pkg::ValueW-1:0] visits_q;
   logic [rc2_pkg::QueueW-1:0] deepest;
   logic [15:0] signature;
+  logic ray_word, ray_ready, ray_reads, ray_read, ray_read_done, ray_read_taken, ray_valid, rays_busy;
+  logic [rc2_pkg::KindW-1:0] ray_kind;
+  logic [rc2_pkg::RestW-1:0] ray_rest;
+  logic [CoordW-1:0] ray_addr;
+  logic [N-1:0] solid;
+  rc2_pkg::claim_t owner;
+  rc2_pkg::data_t ray_data;
   /*verilator tracing_on*/
   rc2_voxels u_voxels (
       .clk_i       (clk_i),
@@ -135,9 +156,61 @@ module rc2_cell (
       .ends_i      (ends),
       .visits_i    (visits_q),
       .history_i   ({signature, deepest}),
+      .ray_word_o           (ray_word),
+      .ray_kind_o           (ray_kind),
+      .ray_rest_o           (ray_rest),
+      .ray_ready_i          (ray_ready),
+      .ray_reads_i          (ray_reads),
+      .ray_addr_i           (ray_addr),
+      .owner_o              (owner),
+      .solid_o              (solid),
+      .ray_read_o           (ray_read),
+      .ray_read_done_i      (ray_read_done),
+      .ray_read_done_taken_o(ray_read_taken),
+      .ray_data_valid_i     (ray_valid),
+      .ray_data_i           (ray_data),
       .busy_o      (voxels_busy)
   );
   /*verilator tracing_off*/
+
+  // ---- Rays ----------------------------------------------------------------------------------------
+  if (rc2_pkg::RAYS) begin : g_rays
+    rc2_rays u_rays (
+        .clk_i            (clk_i),
+        .rst_ni           (rst_ni),
+        .clear_i          (ray_clear_i),
+        .start_i          (ray_start_i),
+        .x_i              (x_i),
+        .y_i              (y_i),
+        .limits_i         (limits_i),
+        .occupied_i       (occupied),
+        .solid_i          (solid),
+        .addr_o           (ray_addr),
+        .reads_o          (ray_reads),
+        .owner_i          (owner),
+        .word_i           (ray_word),
+        .kind_i           (ray_kind),
+        .rest_i           (ray_rest),
+        .ready_o          (ray_ready),
+        .read_i           (ray_read),
+        .read_done_o      (ray_read_done),
+        .read_done_taken_i(ray_read_taken),
+        .data_valid_o     (ray_valid),
+        .data_o           (ray_data),
+        .data_ready_i     (word_ready_i),
+        .link_i           ({ray3_i, ray2_i, ray1_i, ray0_i}),
+        .room_o           (ray_room_o),
+        .link_o           ({ray3_o, ray2_o, ray1_o, ray0_o}),
+        .room_i           (ray_room_i),
+        .busy_o           (rays_busy)
+    );
+  end else begin : g_no_rays
+    assign {ray_addr, ray_reads, ray_read_done, ray_valid, rays_busy} = '0;
+    assign ray_ready = 1'b1;
+    assign ray_data = '0;
+    assign ray_room_o = '0;
+    assign {ray3_o, ray2_o, ray1_o, ray0_o} = '0;
+  end
 
   // ---- Where the cell is, seen from the light ------------------------------------------------------
   logic signed [OffW-1:0] dx, dy;
@@ -364,7 +437,7 @@ module rc2_cell (
       .signature_o(signature)
   );
 
-  assign busy_o = voxels_busy || side_busy || fronts;
+  assign busy_o = voxels_busy || side_busy || fronts || rays_busy;
 
   // Contract: light finds no loading under way; a beam comes from one neighbour of each kind.
   always_ff @(posedge clk_i) begin

@@ -72,6 +72,12 @@ module rc2_cell_thesis (
   logic voxels_busy, fill;
   logic [CoordW-1:0] light_addr, fill_z;
   logic [rc2_pkg::HomeW-1:0] arrived;
+  // No rays in thesis mode.
+  logic ray_word, ray_read, ray_read_taken;
+  logic [rc2_pkg::KindW-1:0] ray_kind;
+  logic [rc2_pkg::RestW-1:0] ray_rest;
+  logic [rc2_pkg::N-1:0] ray_solid;
+  rc2_pkg::claim_t ray_owner;
   /*verilator tracing_on*/
   rc2_voxels u_voxels (
       .clk_i       (clk_i),
@@ -97,6 +103,19 @@ module rc2_cell_thesis (
       .ends_i      ('0),
       .visits_i    (visits_q),
       .history_i   ({signature, deepest}),
+      .ray_word_o           (ray_word),
+      .ray_kind_o           (ray_kind),
+      .ray_rest_o           (ray_rest),
+      .ray_ready_i          (1'b1),
+      .ray_reads_i          (1'b0),
+      .ray_addr_i           ('0),
+      .owner_o              (ray_owner),
+      .solid_o              (ray_solid),
+      .ray_read_o           (ray_read),
+      .ray_read_done_i      (1'b0),
+      .ray_read_done_taken_o(ray_read_taken),
+      .ray_data_valid_i     (1'b0),
+      .ray_data_i           ('0),
       .busy_o      (voxels_busy)
   );
   /*verilator tracing_off*/

@@ -12,6 +12,9 @@ module rc2_grid (
     input  logic                                start_i,
     input  logic                                accurate_i,
     input  rc2_pkg::light_t                     light_i,
+    input  logic                                ray_clear_i,
+    input  logic                                ray_start_i,
+    input  rc2_pkg::limits_t                    limits_i,
     // row pipes, row y at bit y: into the west ends, out of the east ends
     input  logic           [rc2_pkg::N-1:0] west_valid_i,
     input  logic           [rc2_pkg::N*rc2_pkg::RowWordW-1:0] west_word_i,
@@ -36,6 +39,8 @@ module rc2_grid (
   localparam int unsigned MatrixW = rc2_pkg::MatrixW;
   localparam int unsigned ReachW = rc2_pkg::ReachW;
   localparam int unsigned WeightsW = rc2_pkg::WeightsW;
+  localparam int unsigned LinkW = rc2_pkg::LinkW;
+  localparam int unsigned LinkRoomW = rc2_pkg::LinkRoomW;
 
   // ---- What the cells share ------------------------------------------------------------------
   rc2_pkg::pace_t pace;
@@ -114,6 +119,8 @@ module rc2_grid (
       logic [MatrixW-1:0] zx, zy, zd;
       logic [HomeW-1:0] home, skipped;
       logic [ReachW-1:0] ne, nw, sw, se;
+      logic [LinkW-1:0] ray0, ray1, ray2, ray3;  // by the way that a message goes: E W N S
+      logic [4*LinkRoomW-1:0] ray_room;
       logic wv, wr, busy;  // word to the east, ready to the west
       logic [RowWordW-1:0] w;
       /*verilator tracing_on*/
@@ -133,6 +140,11 @@ module rc2_grid (
         assign sw = rc2_pkg::NoReach;
         assign se = rc2_pkg::NoReach;
         assign busy = 1'b0;
+        assign ray0 = '0;
+        assign ray1 = '0;
+        assign ray2 = '0;
+        assign ray3 = '0;
+        assign ray_room = '0;
         if (x == 0 && y >= 1 && y <= N) begin : feed  // row y-1 starts here
           assign wv = west_valid_i[y-1];
           assign w = west_word_i[(y-1)*RowWordW+:RowWordW];
@@ -156,6 +168,9 @@ module rc2_grid (
             .start_i     (start_i),
             .accurate_i  (accurate_i),
             .light_i     (light_i),
+            .ray_clear_i (ray_clear_i),
+            .ray_start_i (ray_start_i),
+            .limits_i    (limits_i),
             .word_valid_i(g[y].c[x-1].wv),
             .word_i      (g[y].c[x-1].w),
             .word_ready_o(wr),
@@ -227,6 +242,21 @@ module rc2_grid (
             .nw_o        (nw),
             .sw_o        (sw),
             .se_o        (se),
+            .ray0_i      (g[y].c[x-1].ray0),
+            .ray1_i      (g[y].c[x+1].ray1),
+            .ray2_i      (g[y-1].c[x].ray2),
+            .ray3_i      (g[y+1].c[x].ray3),
+            .ray_room_o  (ray_room),
+            .ray0_o      (ray0),
+            .ray1_o      (ray1),
+            .ray2_o      (ray2),
+            .ray3_o      (ray3),
+            .ray_room_i  ({
+              g[y-1].c[x].ray_room[3*LinkRoomW+:LinkRoomW],
+              g[y+1].c[x].ray_room[2*LinkRoomW+:LinkRoomW],
+              g[y].c[x-1].ray_room[LinkRoomW+:LinkRoomW],
+              g[y].c[x+1].ray_room[0+:LinkRoomW]
+            }),
             .home_i      (g[y].c[x+1].home),
             .home_o      (home),
             .skipped_i   (g[y].c[x+1].skipped),

@@ -13,13 +13,16 @@
 //   34 a byte each, high to low: fraction bits and bits of a gap, and of a component of a normal
 //   38 row feeders   3C 1 if the columns have layers
 //   20 command, write 1: bit 0 forget the voxels, bit 1 start the light, bit 2 prepare it: see where
-//      it will stop, for the accurate rule (only while idle)
+//      it will stop, for the accurate rule; bit 3 forget rays and hits, bit 4 trace the rays that lie in
+//      the homes (only while idle)
 //   24 status: bit 0 busy (loading, light, or cells still learning how far the scene reaches),
 //      bit 1 all targets are home
 //   28 cycles in which the array was busy since the last command
 //   2C cycles from the last start until the last target came home   30 targets home
 //   40 xs   44 ys   48 zs   4C L   50 FA   54 24*L*L+2   58 2^s/L, rounded down, s of register 60
 //   (read and write, only while idle and four cycles before a start)
+//   68 rays: places of their queues << 8 | most bounces; 0 if the machine traces none
+//   6C least weight << 16 | places of a queue in use << 8 | bounces (likewise, before a trace)
 //   74 rule of the light: 1 accurate, 0 the thesis's (likewise)
 //   5C bit 0: thesis mode, bit 1: the columns count targets, bit 2: in lanes, light that can meet
 //      nothing is skipped   60 fraction bits of 1/L   64 of the targets home, those skipped
@@ -61,8 +64,9 @@ module rc2_machine (
   localparam logic [31:0] Id = 32'h52433202;
 
   // ---- The array -----------------------------------------------------------------------------
-  logic clear_q, prepare_q, start_q, accurate_q, array_busy, light_busy, busy;
+  logic clear_q, prepare_q, start_q, ray_clear_q, ray_start_q, accurate_q, array_busy, light_busy, busy;
   rc2_pkg::light_t light_q;
+  rc2_pkg::limits_t limits_q;
   logic word_valid;
   logic [rc2_pkg::RowWordW-1:0] word;
   logic [HomeW-1:0] home, skipped;
@@ -79,6 +83,9 @@ module rc2_machine (
       .start_i     (start_q),
       .accurate_i  (accurate_q),
       .light_i     (light_q),
+      .ray_clear_i (ray_clear_q),
+      .ray_start_i (ray_start_q),
+      .limits_i    (limits_q),
       .word_valid_i(s_axis_tvalid),
       .word_i      (words),
       .word_ready_o(s_axis_tready),
@@ -130,6 +137,9 @@ module rc2_machine (
       clear_q       <= 1'b0;
       prepare_q     <= 1'b0;
       start_q       <= 1'b0;
+      ray_clear_q   <= 1'b0;
+      ray_start_q   <= 1'b0;
+      limits_q      <= '0;
       accurate_q    <= 1'b0;
       light_q       <= '0;
       targets_q     <= '0;
@@ -138,6 +148,8 @@ module rc2_machine (
       clear_q       <= write && (s_axil_awaddr == 7'h20) && s_axil_wdata[0];
       start_q       <= write && (s_axil_awaddr == 7'h20) && s_axil_wdata[1];
       prepare_q     <= write && (s_axil_awaddr == 7'h20) && s_axil_wdata[2];
+      ray_clear_q   <= write && (s_axil_awaddr == 7'h20) && s_axil_wdata[3];
+      ray_start_q   <= write && (s_axil_awaddr == 7'h20) && s_axil_wdata[4];
       if (write) begin
         case (s_axil_awaddr)
           7'h40:   light_q.xs <= s_axil_wdata[rc2_pkg::CoordW-1:0];
@@ -148,6 +160,12 @@ module rc2_machine (
           7'h54:   targets_q <= s_axil_wdata[HomeW-1:0];
           7'h58:   light_q.inverse <= s_axil_wdata[rc2_pkg::SlopeW-1:0];
           7'h74:   accurate_q <= s_axil_wdata[0];
+          7'h6C:
+          if (rc2_pkg::RAYS) begin
+            limits_q.depth  <= s_axil_wdata[rc2_pkg::DepthW-1:0];
+            limits_q.places <= s_axil_wdata[8+:rc2_pkg::RayCountW];
+            limits_q.least  <= s_axil_wdata[16+:rc2_pkg::WeightW];
+          end
           default: ;
         endcase
       end
@@ -166,7 +184,7 @@ module rc2_machine (
       skipped_q     <= '0;
     end else begin
       since_q <= start_q ? 32'd1 : since_q + 1'b1;
-      if (clear_q || prepare_q || start_q) busy_cycles_q <= '0;
+      if (clear_q || prepare_q || start_q || ray_clear_q || ray_start_q) busy_cycles_q <= '0;
       else if (array_busy) busy_cycles_q <= busy_cycles_q + 1'b1;
       if (start_q) begin
         home_q       <= '0;
@@ -216,6 +234,9 @@ module rc2_machine (
         7'h58:   s_axil_rdata <= 32'(light_q.inverse);
         7'h5C:   s_axil_rdata <= {29'd0, rc2_pkg::SKIPS, rc2_pkg::COUNTS, rc2_pkg::THESIS};
         7'h60:   s_axil_rdata <= rc2_pkg::SlopeW;
+        7'h68:   s_axil_rdata <= rc2_pkg::RAYS ? (rc2_pkg::RAYQ << 8) | rc2_pkg::RAYDEPTH : 0;
+        7'h6C:
+        s_axil_rdata <= {3'd0, limits_q.least, 8'(limits_q.places), 8'(limits_q.depth)};
         7'h74:   s_axil_rdata <= 32'(accurate_q);
         default: s_axil_rdata <= '0;
       endcase
@@ -229,7 +250,7 @@ module rc2_machine (
     waiting_q <= rst_ni && m_axis_tvalid && !m_axis_tready;
     beat_q    <= m_axis_tdata;
     if (rst_ni) begin
-      assert (!((clear_q || prepare_q || start_q) && busy));
+      assert (!((clear_q || prepare_q || start_q || ray_clear_q || ray_start_q) && busy));
       assert (!waiting_q || (m_axis_tvalid && m_axis_tdata == beat_q));
       assert (home == 0 || home_q + home <= targets_q);
     end

@@ -34,6 +34,15 @@
 `ifndef RC2_SKIPS
 `define RC2_SKIPS 1
 `endif
+`ifndef RC2_RAYS
+`define RC2_RAYS 0
+`endif
+`ifndef RC2_RAYDEPTH
+`define RC2_RAYDEPTH 4
+`endif
+`ifndef RC2_RAYQ
+`define RC2_RAYQ 2
+`endif
 `ifndef RC2_FEEDERS
 `define RC2_FEEDERS ((`RC2_N >= 64) ? 16 : (`RC2_N >= 32) ? 8 : (`RC2_N >= 16) ? 4 : \
                      (`RC2_N >= 8) ? 2 : 1)
@@ -52,6 +61,10 @@ package rc2_pkg;
   localparam bit THESIS = (`RC2_THESIS != 0);  // light as in thesis 4.4, else in lanes (rtl/lanes)
   localparam bit COUNTS = (`RC2_COUNTS != 0);  // columns count targets, else they know only lit or not
   localparam bit SKIPS = (`RC2_SKIPS != 0);    // in lanes: light that can meet nothing ends early
+
+  localparam bit RAYS = (`RC2_RAYS != 0);  // cells trace rays; needs LAYERS, lanes and N >= 3
+  localparam int unsigned RAYDEPTH = `RC2_RAYDEPTH;  // most bounces of a ray, <= 7
+  localparam int unsigned RAYQ = `RC2_RAYQ;          // places of each queue that rays travel through
 
   // ---- Widths ------------------------------------------------------------------------------
   localparam int unsigned CoordW = (N <= 2) ? 1 : $clog2(N);  // 0 .. N-1
@@ -96,11 +109,25 @@ package rc2_pkg;
   // A readback value: a claim, or a count of beams (each target visits a column <= N times).
   localparam int unsigned ValueW = (ClaimW > HomeW + CoordW) ? ClaimW : HomeW + CoordW;
 
+  // Rays (docs/render.md; sw/rays/format.h has the same widths).
+  localparam int unsigned PlaceFracW = 6;  // of a place: 1/64 voxel
+  localparam int unsigned PlaceW = CountW + PlaceFracW + 1;  // signed, -1/2 .. N-1/2 voxels
+  localparam int unsigned DirFracW = CoordW + 5;  // of a direction, a unit vector
+  localparam int unsigned DirW = DirFracW + 2;    // signed, -1 .. 1
+  localparam int unsigned SlopeFormFracW = 10;
+  localparam int unsigned SlopeFormW = SlopeFormFracW + 2;  // signed: component of a facet's normal
+  localparam int unsigned ShareW = 9;    // share of light, 0 .. 1 in 1/256
+  localparam int unsigned IndexFracW = 12;
+  localparam int unsigned IndexW = IndexFracW + 3;  // ratio of refractive indices, 0 .. 4
+  localparam int unsigned SharesRestW = 2 * ShareW + 2 * IndexW;
+  localparam int unsigned RayRestW = 2 + ((3 * PlaceW > SharesRestW) ? 3 * PlaceW : SharesRestW);
+
   // ---- Words of the loading and readback pipe ------------------------------------------------
   // A word is {kind, payload}. In a packet's words the payload is {lead, rest}: `lead` steers
   // the stage that reads it, `rest` is what the stage hands to the unit beside it. The vertical
   // pipe's rest is a row pipe's payload, so one stage serves both (rc2_facet_stage). A packet is a
-  // HEAD, a SLAB, its SIDEs and a GAP; the lead of all but HEAD is the step of d per cell.
+  // HEAD, a SLAB, its SIDEs and a GAP; the lead of all but HEAD is the step of d per cell. For rays a HEAD, which says
+  // where, is followed by two words RAY.
   localparam int unsigned KindW = 3;
   localparam logic [2:0] KindHead = 3'd0;  // lead {take, skip}, rest {layer, width, facet, zspan, z0}
   localparam logic [2:0] KindSlab = 3'd1;  // rest {c, d}: 0 <= c*z + d <= width
@@ -109,6 +136,7 @@ package rc2_pkg;
   localparam logic [2:0] KindRead = 3'd4;  // rest {what}: every cell appends its words
   localparam logic [2:0] KindData = 3'd5;  // one word read back: data_t
   localparam logic [2:0] KindEnd = 3'd6;   // of an object: every column adds its parity to inside
+  localparam logic [2:0] KindRay = 3'd7;   // rest {sort, what it says}
 
   localparam int unsigned LeadW = (2 * CountW > CoefW) ? 2 * CountW : CoefW;
   localparam int unsigned HeadRestW = LayerW + WidthW + FacetW + 2 * CoordW;
@@ -117,7 +145,8 @@ package rc2_pkg;
   localparam int unsigned GapRestW = SurfaceW + NormalW + GapValueW + DistW;
   localparam int unsigned PlaneRestW = (SlabRestW > GapRestW) ? SlabRestW : GapRestW;
   localparam int unsigned LongRestW = (PlaneRestW > SideRestW) ? PlaneRestW : SideRestW;
-  localparam int unsigned RestW = (HeadRestW > LongRestW) ? HeadRestW : LongRestW;
+  localparam int unsigned PacketRestW = (HeadRestW > LongRestW) ? HeadRestW : LongRestW;
+  localparam int unsigned RestW = (RAYS && RayRestW > PacketRestW) ? RayRestW : PacketRestW;
   localparam int unsigned RowPayloadW = LeadW + RestW;
   localparam int unsigned HostPayloadW = LeadW + RowPayloadW;
   localparam int unsigned RowWordW = KindW + RowPayloadW;
@@ -128,6 +157,15 @@ package rc2_pkg;
   localparam logic [2:0] ReadCounters = 3'd2;  // z=0: beams served; z=1: how deep the queue was
   localparam logic [2:0] ReadLayers = 3'd3;    // {guard, inside, shown, armour} of each voxel in any
   localparam logic [2:0] ReadEnds = 3'd4;      // z=0: targets that ended in voxels of the column
+  localparam logic [2:0] ReadHits = 3'd5;      // hits of the cell's pixel, HitWords each; then five counts
+
+  // Sorts of RAY words. Of the HEAD's facet, for its voxels in the HEAD's box: body and normal, then
+  // shares and indices. Of the cell's pixel: its ray's origin, then its direction.
+  localparam int unsigned SortW = 2;
+  localparam logic [1:0] SortNormal = 2'd0;
+  localparam logic [1:0] SortShares = 2'd1;
+  localparam logic [1:0] SortOrigin = 2'd2;
+  localparam logic [1:0] SortDirection = 2'd3;
 
   // What a packet does with the voxels that it fills.
   localparam logic [1:0] LayerArmour = 2'd0;  // occupies and claims them
@@ -266,25 +304,16 @@ package rc2_pkg;
     logic [SlopeW-1:0] slope;
   } pace_t;
 
-  // ---- Rays (docs/render.md; sw/rays/format.h has the same widths) ------------------------------
-  localparam int unsigned PlaceFracW = 6;  // of a place: 1/64 voxel
-  localparam int unsigned PlaceW = CountW + PlaceFracW + 1;  // signed, -1/2 .. N-1/2 voxels
+  // ---- Rays ----------------------------------------------------------------------------------
   localparam int unsigned WayW = CoordW + PlaceFracW + 1;    // from a place to a side, 0 .. N voxels
-  localparam int unsigned DirFracW = CoordW + 5;  // of a direction, a unit vector
-  localparam int unsigned DirW = DirFracW + 2;    // signed, -1 .. 1
   localparam int unsigned RiseFracW = (CoordW + 1 > PlaceFracW) ? CoordW + 1 : PlaceFracW;
   localparam int unsigned RiseW = RiseFracW + CoordW + 3;  // signed: dz/dx, and z on the side of a column
   localparam int unsigned DecisionW = DirFracW + PlaceFracW + 2;  // signed: |E| <= |d| times one cell
-  localparam int unsigned SlopeFormW = 12;  // signed: component of a facet's normal, in 1/1024
-  localparam int unsigned SlopeFormFracW = 10;
   // Of a ray's origin over a plane, 1/64 voxel times 1/1024: three terms of N voxels; N >= 3.
   localparam int unsigned HeightW = CoordW + PlaceFracW + SlopeFormFracW + 3;
   // How fast a ray comes nearer to a plane: three terms of at most one, unsigned.
   localparam int unsigned ApproachW = DirFracW + SlopeFormFracW + 2;
-  localparam int unsigned ShareW = 9;    // share of light, 0 .. 1 in 1/256
   localparam int unsigned WeightW = 13;  // worth of a ray, 0 .. 1 in 1/4096
-  localparam int unsigned IndexW = 15;   // ratio of refractive indices, 0 .. 4 in 1/4096
-  localparam int unsigned IndexFracW = 12;
   // Quotients. A slope is told from steeper ones up to 2*2^CoordW; 64 times that times two, so that even a
   // 64th of what stands for infinity is beyond it.
   localparam int unsigned RiseQuotientW = RiseFracW + CoordW + 8;
@@ -336,6 +365,102 @@ package rc2_pkg;
   } face_t;
   localparam int unsigned FaceW =
       3 * SlopeFormW + HeightW + ApproachW + 2 + FacetW + 2 * ShareW + IndexW;
+
+  // A ray at its start. Node 1 of a pixel's tree is its first ray, 2i what i reflects, 2i+1 what it lets
+  // through.
+  localparam int unsigned NodeW = RAYDEPTH + 1;
+  typedef struct packed {
+    logic [CoordW-1:0]  home_x;
+    logic [CoordW-1:0]  home_y;
+    logic [NodeW-1:0]   node;
+    logic               in_glass;
+    logic [WeightW-1:0] weight;
+    logic [PlaceW-1:0]  ox;
+    logic [PlaceW-1:0]  oy;
+    logic [PlaceW-1:0]  oz;
+    logic [DirW-1:0]    dx;
+    logic [DirW-1:0]    dy;
+    logic [DirW-1:0]    dz;
+  } start_t;
+  localparam int unsigned StartW = 2 * CoordW + NodeW + 1 + WeightW + 3 * PlaceW + 3 * DirW;
+
+  // A ray on its way, with the plane that it last could have stopped at.
+  typedef struct packed {
+    logic [StartW-1:0]    start;
+    logic [DecisionW-1:0] decision;  // E < 0: on through the side in x
+    logic [RiseW-1:0]     exit_x;
+    logic [RiseW-1:0]     exit_y;
+    logic [RiseW-1:0]     slope_x;
+    logic [RiseW-1:0]     slope_y;
+    logic [CoordW-1:0]    z;
+    logic                 along_y;  // the way from the cell that has probed it
+    logic                 in_room;
+    logic                 touched;
+    logic [CoordW-1:0]    vx;  // voxel of that plane
+    logic [CoordW-1:0]    vy;
+    logic [CoordW-1:0]    vz;
+    logic [FaceW-1:0]     face;
+  } ray_t;
+  localparam int unsigned RayW = StartW + DecisionW + 4 * RiseW + 4 * CoordW + 3 + FaceW;
+
+  // How a ray has ended.
+  typedef struct packed {
+    logic              escaped;  // it left the cube
+    logic              rescued;  // by the safety net
+    logic              back;
+    logic [FacetW-1:0] facet;
+    logic [CoordW-1:0] vx;
+    logic [CoordW-1:0] vy;
+    logic [CoordW-1:0] vz;
+    logic [PlaceW-1:0] px;
+    logic [PlaceW-1:0] py;
+    logic [PlaceW-1:0] pz;
+    logic [1:0]        too_light;  // children not sent
+    logic [1:0]        too_deep;
+  } end_t;
+  localparam int unsigned EndW = 7 + FacetW + 3 * CoordW + 3 * PlaceW;
+
+  // What goes home: the ray, its end, and new rays for which there was no room.
+  typedef struct packed {
+    logic [StartW-1:0]  start;
+    logic [EndW-1:0]    ended;
+    logic [PlaceW-1:0]  ex;  // where the new rays start
+    logic [PlaceW-1:0]  ey;
+    logic [PlaceW-1:0]  ez;
+    logic               mirrored;  // there is one
+    logic [WeightW-1:0] mirrored_weight;
+    logic [DirW-1:0]    mx;
+    logic [DirW-1:0]    my;
+    logic [DirW-1:0]    mz;
+    logic               cleared;  // likewise of what is let through
+    logic               cleared_inside;
+    logic [WeightW-1:0] cleared_weight;
+    logic [DirW-1:0]    cx;
+    logic [DirW-1:0]    cy;
+    logic [DirW-1:0]    cz;
+  } answer_t;
+  localparam int unsigned AnswerW = StartW + EndW + 3 * PlaceW + 3 + 2 * WeightW + 6 * DirW;
+
+  // A link of the network: for which queue the message is, a bit each, and the message.
+  localparam int unsigned LongerW = (RayW > AnswerW) ? RayW : AnswerW;
+  // In whole words of 32 bits, which simulators copy best; what nothing fills is no hardware.
+  localparam int unsigned MessageW = 32 * ((LongerW + 31) / 32);
+  localparam int unsigned LinkRoomW = 6;  // rays of each quadrant {south, west}, answers, starts
+  localparam int unsigned LinkW = RAYS ? LinkRoomW + MessageW : 1;
+
+  // What a home keeps of each ray of its tree, and how many words of readback that is.
+  localparam int unsigned HitW = StartW - 2 * CoordW + EndW;
+  localparam int unsigned HitWords = (HitW + ValueW - 1) / ValueW;
+
+  // What all cells hear while rays are traced.
+  localparam int unsigned DepthW = 3;
+  localparam int unsigned RayCountW = $clog2(RAYQ + 1);
+  typedef struct packed {
+    logic [DepthW-1:0]    depth;   // most bounces
+    logic [WeightW-1:0]   least;   // worth of a ray that is followed
+    logic [RayCountW-1:0] places;  // of each queue in use, 1 .. RAYQ
+  } limits_t;
+  localparam int unsigned LimitsW = DepthW + WeightW + RayCountW;
 
   // ---- Directions: 0 E, 1 NE, 2 N, 3 NW, 4 W, 5 SW, 6 S, 7 SE; x grows east, y north ----------
   // The opposite of d is (d + 4) mod 8. Bit d is set where direction d has that component.

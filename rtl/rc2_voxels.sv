@@ -32,6 +32,20 @@ module rc2_voxels (
     input  logic           [ rc2_pkg::HomeW-1:0] ends_i,
     input  logic           [rc2_pkg::ValueW-1:0] visits_i,
     input  logic [rc2_pkg::HistoryW-1:0] history_i,
+    // to and from the rays: HEAD and RAY words, the owner of an address, readback
+    output logic                               ray_word_o,
+    output logic           [ rc2_pkg::KindW-1:0] ray_kind_o,
+    output logic           [ rc2_pkg::RestW-1:0] ray_rest_o,
+    input  logic                               ray_ready_i,
+    input  logic                               ray_reads_i,
+    input  logic           [rc2_pkg::CoordW-1:0] ray_addr_i,
+    output rc2_pkg::claim_t                    owner_o,  // of the address in the cycle before
+    output logic           [     rc2_pkg::N-1:0] solid_o,
+    output logic                               ray_read_o,
+    input  logic                               ray_read_done_i,
+    output logic                               ray_read_done_taken_o,
+    input  logic                               ray_data_valid_i,
+    input  rc2_pkg::data_t                     ray_data_i,
     output logic                               busy_o
 );
   localparam int unsigned N = rc2_pkg::N;
@@ -71,7 +85,7 @@ module rc2_voxels (
       .busy_o      (stage_busy)
   );
 
-  logic is_read, is_end, dexel_ready, fill_ready, fill_busy;
+  logic is_read, is_end, is_ray, is_packet, dexel_ready, fill_ready, fill_busy;
   logic [rc2_pkg::LayerW-1:0] dexel_layer;
   logic [CoordW-1:0] dexel_z0, core_lo, core_hi;
   /*verilator tracing_on*/
@@ -81,14 +95,16 @@ module rc2_voxels (
   /*verilator tracing_off*/
   assign is_read = (unit_kind == rc2_pkg::KindRead);
   assign is_end = (unit_kind == rc2_pkg::KindEnd);
+  assign is_ray = (unit_kind == rc2_pkg::KindRay);
+  assign is_packet = !is_read && !is_end && !is_ray;
   rc2_dexel u_dexel (
       .clk_i    (clk_i),
       .rst_ni   (rst_ni),
-      .valid_i  (unit_waits && !is_read && !is_end),
+      .valid_i  (unit_waits && is_packet),
       .kind_i   (unit_kind),
       .rest_i   (unit_rest),
       .ready_o  (dexel_ready),
-      .take_i   (unit_valid && !is_read && !is_end && dexel_ready),
+      .take_i   (unit_valid && is_packet && dexel_ready && ray_ready_i),
       .valid_o  (dexel_valid),
       .facet_o  (dexel_facet),
       .layer_o  (dexel_layer),
@@ -115,7 +131,7 @@ module rc2_voxels (
   rc2_fill u_fill (
       .clk_i        (clk_i),
       .rst_ni       (rst_ni),
-      .valid_i      (dexel_valid && unit_valid),
+      .valid_i      (dexel_valid && unit_valid && ray_ready_i),
       .facet_i      (dexel_facet),
       .layer_i      (dexel_layer),
       .plane_i      (word_plane),
@@ -145,10 +161,18 @@ module rc2_voxels (
   assign fill_z_o = fill_z;
 
   // ---- The column and its readback -----------------------------------------------------------------
-  logic read, read_done, data_valid, column_busy, preparing;
+  logic read, of_rays, column_done, read_done, column_valid, data_valid, column_busy, preparing;
   logic [CoordW-1:0] prepare_addr;
-  rc2_pkg::data_t data;
+  rc2_pkg::data_t column_data, data;
   assign read = unit_valid && is_read && !fill_busy;
+  assign of_rays = rc2_pkg::RAYS && (unit_rest[2:0] == rc2_pkg::ReadHits);
+  assign ray_read_o = read && of_rays;
+  assign ray_read_done_taken_o = unit_valid && is_read && ray_read_done_i;
+  assign read_done = of_rays ? ray_read_done_i : column_done;
+  assign data_valid = column_valid || ray_data_valid_i;
+  assign data = ray_data_valid_i ? ray_data_i : column_data;
+  assign owner_o = owner;
+  assign solid_o = solid;
   rc2_column u_column (
       .clk_i            (clk_i),
       .rst_ni           (rst_ni),
@@ -157,7 +181,7 @@ module rc2_voxels (
       .guard_o          (guarded),
       .solid_o          (solid),
       .owner_o          (owner),
-      .owner_addr_i     (preparing ? prepare_addr : fill_addr),
+      .owner_addr_i     (preparing ? prepare_addr : ray_reads_i ? ray_addr_i : fill_addr),
       .fill_i           (fill),
       .fill_z_i         (fill_z),
       .fill_owner_i     (fill_owner),
@@ -172,18 +196,22 @@ module rc2_voxels (
       .ends_i           (ends_i),
       .visits_i         (visits_i),
       .history_i        (history_i),
-      .read_i           (read),
+      .read_i           (read && !of_rays),
       .read_what_i      (unit_rest[2:0]),
-      .read_done_o      (read_done),
-      .read_done_taken_i(unit_valid && is_read && read_done),
-      .data_valid_o     (data_valid),
-      .data_o           (data),
+      .read_done_o      (column_done),
+      .read_done_taken_i(unit_valid && is_read && column_done),
+      .data_valid_o     (column_valid),
+      .data_o           (column_data),
       .data_ready_i     (word_ready_i),
       .busy_o           (column_busy)
   );
 
   // A READ word waits in the stage while the column's own words go east, then follows them.
-  assign unit_ready = is_read ? read_done : is_end ? !fill_busy : dexel_ready;
+  assign unit_ready = is_read ? read_done : is_end ? !fill_busy :
+                      (is_ray || dexel_ready) && ray_ready_i;
+  assign ray_word_o = unit_valid && unit_ready && (is_ray || unit_kind == rc2_pkg::KindHead);
+  assign ray_kind_o = unit_kind;
+  assign ray_rest_o = unit_rest;
   assign word_valid_o = data_valid || stage_valid;
   assign word_o = data_valid ?
       {rc2_pkg::KindData, {(RowPayloadW - rc2_pkg::DataW) {1'b0}}, data} :

@@ -23,14 +23,20 @@ void check_limit(const char* option, int asked, int limit, const std::string& ho
 std::unique_ptr<Machine> make_machine(const std::string& name, const MachineConfig& job,
                                       const WaveWindow& waves) {
   if (name == "rtl") {
-    auto machine = make_rtl_machine(
-        fmt::format("{}n{}", job.mode == LightMode::thesis ? "thesis_" : "", job.n), waves);
+    const char* cells = job.ray_depth > 0               ? "rays_"
+                        : job.mode == LightMode::thesis ? "thesis_"
+                                                        : "";
+    auto machine = make_rtl_machine(fmt::format("{}n{}", cells, job.n), waves);
     const MachineConfig& built = machine->config();
     check_limit("--fraction-bits", job.fraction_bits, built.fraction_bits,
                 fmt::format("`cmake -D RC2_RTL_F={} build`", job.fraction_bits), job.n);
     check_limit("--target-distance", job.max_distance, built.max_distance,
                 "raise RC2_LMAX in rtl/rc2_pkg.sv", job.n);
     check_limit("--fa", job.max_fa, built.max_fa, "raise RC2_FAMAX in rtl/rc2_pkg.sv", job.n);
+    check_limit("--depth", job.ray_depth, built.ray_depth, "raise RC2_RAYDEPTH in rtl/rc2_pkg.sv",
+                job.n);
+    check_limit("--queue", job.ray_queue, built.ray_queue, "raise RC2_RAYQ in rtl/rc2_pkg.sv",
+                job.n);
     if (built.skips && !job.skips) {
       throw Error(fmt::format(
           "--skip off: the Verilated machine of n = {} was built to skip; use --machine cycle",

@@ -1,6 +1,7 @@
 // Pictures by rays: a scene into a machine, light into the scene, rays through both.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -53,6 +54,8 @@ class Renderer {
     if (!options_.dump.empty()) outputs_.add_file(options_.dump);
     MachineConfig config{options_.n, options_.fraction_bits, 2 * options_.n, 1,
                          options_.feeder_count()};
+    config.ray_depth = std::max(1, options_.depth);
+    config.ray_queue = options_.queue;
     const auto machine = make_machine(options_.machine, config);
     Drive drive(*machine, options_.machine, bar_);
     drive.load(job.facets);
@@ -161,7 +164,7 @@ void declare_render(CLI::App& program, ExitCode& exit_code) {
       ->add_option("--least-weight", options->least_weight,
                    "Share of its pixel that a ray must be worth to be followed, 0 to 1")
       ->capture_default_str();
-  command->add_option("--queue", options->queue, "Places of each queue of the network (cycle)")
+  command->add_option("--queue", options->queue, "Places of each queue of the network (cycle, rtl)")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   command->add_flag("--progressive", options->progressive,

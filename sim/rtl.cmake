@@ -20,7 +20,9 @@ endforeach()
 set(RC2_VERILATED_GLUE ${PROJECT_SOURCE_DIR}/sim/verilated_machine.cpp
                        ${PROJECT_SOURCE_DIR}/sim/wave_list.cpp
                        ${PROJECT_SOURCE_DIR}/sw/machine/feeder.cpp
-                       ${PROJECT_SOURCE_DIR}/sw/machine/checks.cpp)
+                       ${PROJECT_SOURCE_DIR}/sw/machine/checks.cpp
+                       ${PROJECT_SOURCE_DIR}/sw/machine/ray_job.cpp
+                       ${PROJECT_SOURCE_DIR}/sw/machine/ray_words.cpp)
 set(RC2_RTL_RULES ${RC2_RTL_FOLDER}/trace.vlt ${RC2_RTL_FOLDER}/rc2.vlt)
 
 # What tests must have seen of the units (docs/coverage.md); costs little in a small array.
@@ -83,6 +85,7 @@ function(rc2_add_rtl name n)
             ${PROJECT_SOURCE_DIR}/sim/queue_watch.h ${PROJECT_SOURCE_DIR}/sim/wave_list.h
             ${PROJECT_SOURCE_DIR}/sw/machine/machine.h ${PROJECT_SOURCE_DIR}/sw/machine/queue_history.h ${PROJECT_SOURCE_DIR}/sw/machine/claim.h
             ${PROJECT_SOURCE_DIR}/sw/machine/checks.h ${PROJECT_SOURCE_DIR}/sw/machine/feeder.h ${PROJECT_SOURCE_DIR}/sw/machine/word.h
+            ${PROJECT_SOURCE_DIR}/sw/machine/ray_job.h ${PROJECT_SOURCE_DIR}/sw/machine/ray_words.h ${PROJECT_SOURCE_DIR}/sw/rays/format.h ${PROJECT_SOURCE_DIR}/sw/rays/ray.h
             ${PROJECT_SOURCE_DIR}/sw/base/config.h
             ${PROJECT_SOURCE_DIR}/sw/facet/packet.h
     COMMENT "Verilating the array ${name}"
@@ -107,6 +110,12 @@ foreach(n IN LISTS RC2_RTL_SIZES RC2_RTL_EXTRA_SIZE)
 endforeach()
 foreach(n IN ITEMS 8 16)
   rc2_add_rtl(flat_n${n} ${n} F=${RC2_RTL_F})
+endforeach()
+# With cells for rays, and vertices as fine as rays want them.
+foreach(n IN LISTS RC2_RTL_SIZES RC2_RTL_EXTRA_SIZE)
+  if(NOT TARGET rtl_rays_n${n})
+    rc2_add_rtl(rays_n${n} ${n} F=6 RAYS=1)
+  endif()
 endforeach()
 # As it would be built in silicon: nothing counts targets.
 rc2_add_rtl(lit_n8 8 F=${RC2_RTL_F} COUNTS=0)

@@ -9,9 +9,12 @@ namespace rc2 {
 namespace {
 
 std::string how_to_build(const std::string& name) {
+  const std::string n = name.substr(name.rfind('n') + 1);
+  if (name.rfind("rays_", 0) == 0)
+    return fmt::format(
+        "cmake -D RC2_RTL_EXTRA_SIZE={} build && cmake --build build --target rtl_{}", n, name);
   const bool thesis = name.rfind("thesis_", 0) == 0;
-  return fmt::format("make rtl N={}{}", name.substr(name.rfind('n') + 1),
-                     thesis ? " MODE=thesis" : "");
+  return fmt::format("make rtl N={}{}", n, thesis ? " MODE=thesis" : "");
 }
 
 }  // namespace

@@ -21,6 +21,7 @@
 #include "sw/machine/host_port.h"
 #include "sw/machine/host_word.h"
 #include "sw/machine/queue_history.h"
+#include "sw/machine/ray_words.h"
 #include "sw/machine/readback.h"
 
 namespace rc2 {
@@ -86,6 +87,7 @@ class VerilatedMachine final : public Machine {
       voxels_.push_back({reading.at, Claim::unpacked(reading.value)});
     }
     light_.assign(voxels_.size(), 0);
+    boxes_ = boxes_of(packets);
     return result;
   }
 
@@ -169,6 +171,39 @@ class VerilatedMachine final : public Machine {
     return result;
   }
 
+  RayResult trace(const RayJob& job, const Progress& progress) override {
+    check_rays(config_, job, voxels_);
+    if (config_.ray_depth == 0)
+      throw Error(
+          "this Verilated machine has no cells for rays; build one that has, or use --machine "
+          "golden or cycle");
+    if (job.limits.depth > config_.ray_depth || job.queue > config_.ray_queue)
+      throw Error(
+          fmt::format("the rays cannot be traced: depth {} and queues of {} places, where the "
+                      "Verilated machine "
+                      "was built for {} and {}; ask for less, or raise RC2_RAYDEPTH and RC2_RAYQ",
+                      job.limits.depth, job.queue, config_.ray_depth, config_.ray_queue));
+    write_register(kCommand, kCommandClearRays);
+    write_register(kRayLimits, ray_limits(job.limits.depth, job.queue, job.limits.least_weight));
+    send_rays(job);
+    wait_until_idle();
+    write_register(kCommand, kCommandTrace);
+    // One ray after another could not take longer.
+    const std::int64_t longest = (std::int64_t{config_.n} * config_.n << (job.limits.depth + 1)) *
+                                 (3 * config_.n * (config_.n + 3) + 1000);
+    const std::int64_t start = cycle_;
+    step(kBusyDelay);
+    while ((read_register(kStatus) & kStatusBusy) != 0) {
+      step(64);
+      if (cycle_ - start > longest) throw std::logic_error("the array blocks: rays do not end");
+      if (progress) progress("rays", cycle_ - start, 0.5);
+    }
+    RayResult result;
+    result.traffic.cycles = read_register(kBusyCycles);
+    read_hits(result);
+    return result;
+  }
+
   void observe(const QueueObserver& observer) override {
     observer_ = observer;
     if (!queues_) queues_.emplace(context_, config_);
@@ -242,6 +277,9 @@ class VerilatedMachine final : public Machine {
     config.mode = (build & kBuildThesis) != 0 ? LightMode::thesis : LightMode::fast;
     config.counts = (build & kBuildCounts) != 0;
     config.skips = (build & kBuildSkips) != 0;
+    const std::uint32_t rays = read_register(kRays);
+    config.ray_depth = static_cast<int>(rays & 0xFF);
+    config.ray_queue = static_cast<int>(rays >> 8);
     if (read_register(kInverseBits) > 32) {
       throw std::logic_error("rtl/rc2_machine.sv: 1/L does not fit its register");
     }
@@ -310,6 +348,58 @@ class VerilatedMachine final : public Machine {
 
   /// Asks every cell for its words. Sorted by z, y, x.
   std::vector<Reading> read_back(ReadWhat what) {
+    std::vector<Reading> records = read_words(what);
+    std::sort(records.begin(), records.end(), [](const Reading& a, const Reading& b) {
+      return std::tie(a.at.z, a.at.y, a.at.x) < std::tie(b.at.z, b.at.y, b.at.x);
+    });
+    return records;
+  }
+
+  void send_rays(const RayJob& job) {
+    std::vector<std::vector<HostWord>> words;
+    for (int k = 0; k < config_.feeders; ++k) words.push_back(ray_words(config_, boxes_, job, k));
+    std::vector<std::size_t> sent(words.size());
+    send([&](std::size_t k, HostWord& word) {
+      if (sent[k] == words[k].size()) return false;
+      word = words[k][sent[k]++];
+      return true;
+    });
+  }
+
+  // The hits from all homes, and what follows from them and from the counts that they keep.
+  void read_hits(RayResult& result) {
+    const auto n = static_cast<std::size_t>(config_.n);
+    std::vector<std::vector<std::uint32_t>> values(n * n);
+    for (const Reading& reading : read_words(ReadWhat::hits))
+      values[static_cast<std::size_t>(reading.at.y) * n + static_cast<std::size_t>(reading.at.x)]
+          .push_back(reading.value);
+    std::int64_t begun_at_home = 0;
+    for (std::size_t cell = 0; cell < values.size(); ++cell) {
+      const glm::ivec2 home(static_cast<int>(cell % n), static_cast<int>(cell / n));
+      const HomeRecord record = unpack_home(config_, home, values[cell]);
+      RayCounts& counts = result.counts;
+      for (const RayHit& hit : record.hits) {
+        ++counts.issued[static_cast<std::size_t>(rays::depth_of(hit.ray.node))];
+        ++(hit.facet == RayHit::kNoFacet ? counts.escaped : counts.hits);
+        if (hit.ray.node > 1) ++begun_at_home;
+        result.hits.push_back(hit);
+      }
+      counts.rescued += record.rescued;
+      counts.too_light += record.too_light;
+      counts.too_deep += record.too_deep;
+      counts.probes += record.probes;
+      counts.planes += record.planes;
+      result.traffic.run_on += record.run_on;
+      result.traffic.hops += record.hops;
+      result.traffic.busiest = std::max(result.traffic.busiest, record.work);
+    }
+    result.traffic.answers = static_cast<std::int64_t>(result.hits.size());
+    result.traffic.sent_again = begun_at_home - result.traffic.run_on;
+    sort_hits(result.hits);
+  }
+
+  /// Likewise, in the order in which they come: cell after cell.
+  std::vector<Reading> read_words(ReadWhat what) {
     std::vector<Reading> records;
     std::vector<bool> asked(static_cast<std::size_t>(config_.feeders));
     send([&](std::size_t k, HostWord& word) {
@@ -336,9 +426,6 @@ class VerilatedMachine final : public Machine {
     }
     top_.m_axis_tready = 0;
     if (cell != config_.n * config_.n) throw std::logic_error("the readback missed cells");
-    std::sort(records.begin(), records.end(), [](const Reading& a, const Reading& b) {
-      return std::tie(a.at.z, a.at.y, a.at.x) < std::tie(b.at.z, b.at.y, b.at.x);
-    });
     wait_until_idle();
     return records;
   }
@@ -357,6 +444,7 @@ class VerilatedMachine final : public Machine {
   WordFormat format_;
   VoxelMemory voxels_;
   LightMemory light_;
+  std::vector<FacetBox> boxes_;
 };
 
 }  // namespace

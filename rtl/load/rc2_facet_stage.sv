@@ -6,7 +6,8 @@
 // the next (the thesis's T-A, Ti-Ai, T-B, Ti-Bi). Units outside the box never see the packet.
 //
 // A word waits at least one cycle in the stage's buffer of two; one word per cycle.
-// READ and END go to the unit and on to the next stage; DATA only goes on.
+// READ and END go to the unit and on to the next stage; DATA only goes on. RAY words follow a HEAD and
+// go where it went, as they are.
 
 module rc2_facet_stage #(
     parameter int unsigned PayloadW = rc2_pkg::RowPayloadW,
@@ -68,14 +69,15 @@ module rc2_facet_stage #(
   assign {take, skip} = lead[2*CountW-1:0];
 
   logic here_q, on_q;  // the packet under way: serves this unit, goes on
-  logic here, on, is_head, is_value, is_gap, is_for_all, is_data;
+  logic here, on, is_head, is_value, is_gap, is_follower, is_for_all, is_data;
   assign is_head = (kind == rc2_pkg::KindHead);
   assign is_gap = (kind == rc2_pkg::KindGap);
   assign is_value = (kind == rc2_pkg::KindSlab) || (kind == rc2_pkg::KindSide) || is_gap;
+  assign is_follower = is_value || (kind == rc2_pkg::KindRay);
   assign is_for_all = (kind == rc2_pkg::KindRead) || (kind == rc2_pkg::KindEnd);
   assign is_data = (kind == rc2_pkg::KindData);
-  assign here = (is_head && skip == 0) || (is_value && here_q) || is_for_all;
-  assign on = (is_head && (skip != 0 || take > 1)) || (is_value && on_q) || is_for_all || is_data;
+  assign here = (is_head && skip == 0) || (is_follower && here_q) || is_for_all;
+  assign on = (is_head && (skip != 0 || take > 1)) || (is_follower && on_q) || is_for_all || is_data;
 
   assign fire = (held != 0) && (!here || unit_ready_i) && (!on || next_ready_i);
   assign unit_waits_o = (held != 0) && here;

@@ -44,6 +44,9 @@ struct MachineConfig {
   LightMode mode = LightMode::fast;
   bool counts = true;  ///< read_light() says how many targets arrived, not only if any did
   bool skips = true;   ///< in fast mode: light that can meet nothing ends early
+  /// Most bounces of a ray, and places of a queue that rays travel through, in a machine that has
+  /// cells for them; 0: it has none. Golden and cycle model trace whatever this says.
+  int ray_depth = 0, ray_queue = 0;
 
   /// Whether the machine knows LightRule::accurate, which needs the layers.
   bool accurate_light() const { return layers && mode == LightMode::fast; }

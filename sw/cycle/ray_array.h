@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <deque>
 #include <optional>
 #include <vector>
 
@@ -32,39 +33,57 @@ class RayArray {
   };
   struct Answer {
     RayHit hit;
-    std::vector<Start> onwards;
+    std::vector<Start> onwards;  // the mirrored one first
+  };
+  // The ray that a cell is at work on, and in which cycles what happens.
+  struct Work {
+    std::uint32_t ray;
+    unsigned queue;  // that it came from
+    std::int64_t pass_at = kNever, end_at = kNever, answer_at = kNever;
+    std::uint32_t answer = 0;                           // from answer_at on
+    std::optional<rays::Ray> reflected{}, refracted{};  // that have not begun here
   };
   // What a cell has beside its queues.
   struct Cell {
-    std::vector<Start> stack;  // of its own pixel's rays that wait to be started
-    Rotate probe_turn, end_turn, home_turn, start_turn;
+    std::deque<std::uint32_t> home;  // its own pixel's rays that wait to be started
+    std::optional<Work> work;
+    std::optional<std::uint32_t> launched;
+    Rotate probe_turn, home_turn, start_turn;
     std::array<Rotate, kHere> link_turn;
-    std::int64_t probing_until = 0;  // from this cycle on the probe is free
-    std::int64_t probe_cycles = 0;
-    std::uint32_t messages = 0;     // in its queues
-    std::size_t room_to_spawn = 0;  // in this cycle
+    std::optional<unsigned> held;  // the answer whose first ray has been taken home
+    std::int64_t work_cycles = 0;
+    std::uint32_t messages = 0;  // in its queues
+    bool begins_child = false;   // in this cycle
+    std::array<std::uint32_t, kHere + 1>
+        wishes{};  // in this cycle: of each way, who wants to go it
   };
 
   void serve(std::size_t cell);
-  void probe(std::size_t cell);
-  void end_ray(std::size_t cell);
-  void answer(std::size_t cell, unsigned queue, unsigned answers);
+  void work(std::size_t cell);
+  void take_up(std::size_t cell);
+  void begin_child(std::size_t cell, std::optional<rays::Ray>& child);
+  void answer(std::size_t cell);
   void drive_link(std::size_t cell, unsigned way);
+  void begin_ray(std::size_t cell);
   void take_home(std::size_t cell);
-  void begin_rays(std::size_t cell);
-  void spawn(std::size_t cell, const Start& start);
+  void spawn(std::size_t cell, std::uint32_t start);
   void wait_at_home(std::size_t cell, const Start& start);
 
-  // Where the message at the head of a queue wants to go, if anywhere yet.
-  std::optional<unsigned> wish(std::size_t cell, unsigned queue);
-  // Of the neighbour that way, the queue for the message at the head of this one.
-  std::size_t next_queue(std::size_t cell, unsigned queue, unsigned way);
+  // The message that a sender has, if it has one.
+  std::optional<std::uint32_t> front(std::size_t cell, unsigned sender) const;
+  // Where it wants to go, if anywhere yet.
+  std::optional<unsigned> wish(std::size_t cell, unsigned sender);
+  // Of the neighbour that way, the queue for it.
+  std::size_t next_queue(std::size_t cell, unsigned sender, unsigned way);
+  // It has left.
+  void let_go(std::size_t cell, unsigned sender);
+  void push(std::size_t cell, unsigned queue, std::uint32_t handle);
+  std::size_t room(std::size_t cell, unsigned queue) const {
+    return queues_.room(RayQueues::number(cell, queue));
+  }
   glm::ivec2 place(std::size_t cell) const;
 
-  template <typename Test>
-  std::uint32_t those(unsigned first, unsigned count, Test test) const;
-  void pop(std::size_t cell, unsigned queue);
-  void push(std::size_t cell, unsigned queue, std::uint32_t handle);
+  static constexpr std::int64_t kNever = -1;
 
   int n_;
   const Columns& columns_;
@@ -75,8 +94,7 @@ class RayArray {
   Pool<Answer> answers_;
   Pool<Start> starts_;
   std::int64_t cycle_ = 0;
-  std::int64_t last_probe_ = 0;  // the cycle in which any was begun
-  std::int64_t at_home_ = 0;     // rays that wait to be started
+  std::int64_t rays_left_ = 0;  // that wait at home or are on their way, and answers
   RayResult result_;
 };
 

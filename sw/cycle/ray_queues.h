@@ -10,15 +10,20 @@
 
 namespace rc2::cycle {
 
-/// The queues of one cell. A queue takes messages of one class from one side, so that no message
-/// waits behind one that goes elsewhere for another reason.
+/// Who may send from a cell (rtl/rays/rc2_ray_net.sv). A queue takes messages of one class from one
+/// side, so that no message waits behind one that goes elsewhere for another reason. The last of
+/// the answers and of the starts, and the ray that has begun here, are no queues: they wait where
+/// they are made.
 namespace ray_queue {
-constexpr unsigned kRays = 0;       ///< 4 quadrants from 2 sides: quadrant * 2 + axis
-constexpr unsigned kSpawned = 8;    ///< rays that start here
-constexpr unsigned kAnswersXy = 9;  ///< by the way they came, last those from here
-constexpr unsigned kAnswersYx = kAnswersXy + 5;
-constexpr unsigned kStarts = kAnswersYx + 5;
-constexpr unsigned kCount = kStarts + 5;
+constexpr unsigned kRays = 0;      ///< 4 quadrants from 2 sides: quadrant * 2 + axis
+constexpr unsigned kLaunched = 8;  ///< the ray that has begun here
+constexpr unsigned kAnswers = 9;   ///< by the way they came
+constexpr unsigned kOwnAnswer = 13;
+constexpr unsigned kStarts = 14;  ///< by the way they came
+constexpr unsigned kHome = 18;    ///< the rays of the cell's own pixel
+constexpr unsigned kSenders = 19;
+constexpr unsigned kSpawned = 19;  ///< rays that are to begin here: these go nowhere else
+constexpr unsigned kCount = 20;
 }  // namespace ray_queue
 
 /// FIFOs of equal depth, a handle a place. What is pushed and popped in a cycle shows in the next.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "sw/cycle/cell.h"
+#include "sw/cycle/ray_timing.h"
 
 namespace rc2::cycle {
 
@@ -20,21 +21,18 @@ int RayWalk::probe(const Columns& columns, const RayJob& job, RayCounts& counts)
   is_probed_ = true;
   ++counts.probes;
 
-  int facets = 0;
-  std::int64_t before = -1;  // owner of the voxel before, if it had one
+  int reads = 0;
   for (;; at_.z += up) {
     if (at_.z < 0 || at_.z >= n_) {
       leave_cube(job);
       break;
     }
     if (columns.occupied(column, at_.z)) {
-      const std::int64_t owner = columns.owner(column, at_.z).claim.facet;
-      if (owner != before) ++facets;
-      before = owner;
+      ++reads;
       if (visit_armour(columns, job, at_.z == last ? axis_ : 2, counts)) break;
-    } else {
-      before = -1;
-      if (touched_ && layers.inside.has(at_.z) != ray_.inside) {
+    } else if (layers.inside.has(at_.z) != ray_.inside) {
+      ++reads;
+      if (touched_) {
         hit(job, at_, true);
         break;
       }
@@ -45,9 +43,7 @@ int RayWalk::probe(const Columns& columns, const RayJob& job, RayCounts& counts)
     const int next = at_[axis_] + step();
     if (next < 0 || next >= n_) leave_cube(job);
   }
-  const int cycles = std::max(1, facets);
-  age += cycles;
-  return cycles;
+  return reads;
 }
 
 bool RayWalk::visit_armour(const Columns& columns, const RayJob& job, int axis, RayCounts& counts) {
@@ -73,9 +69,23 @@ void RayWalk::hit(const RayJob& job, const glm::ivec3& here, bool is_rescued) {
           rays::split(ray_, (*job.facets)[facet], face, rays::clamp_to_voxel(point, here),
                       job.limits, n_),
           is_rescued};
+  end_->cycles = arithmetic_cycles((*job.facets)[facet], face, end_->split.reflected.has_value());
+}
+
+int RayWalk::arithmetic_cycles(const rays::Facet& facet, const rays::Face& face,
+                               bool is_mirrored) const {
+  int cycles = ray_timing::meet(n_);
+  if (facet.is_glass()) {
+    const int ratio = face.is_back ? facet.leave : facet.enter;
+    const bool all = !rays::refract(ray_.direction, face, ratio, n_);
+    cycles += ray_timing::refract(n_, all);
+  }
+  if (is_mirrored) cycles += ray_timing::reflect(n_);
+  return cycles + ray_timing::kShare + 2 * ray_timing::kChild;
 }
 
 void RayWalk::leave_cube(const RayJob& job) {
+  is_beyond_ = true;
   if (in_room_)
     hit(job, touched_->voxel, true);
   else

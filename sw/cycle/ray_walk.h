@@ -10,11 +10,12 @@
 
 namespace rc2::cycle {
 
-/// What a probe makes of a ray: it goes on to a neighbour, or it has ended.
+/// How a ray has ended.
 struct RayEnd {
   RayHit hit;
   rays::Split split;
   bool is_rescued = false;
+  int cycles = 0;  ///< of the arithmetic that takes
 };
 
 class RayWalk {
@@ -28,11 +29,13 @@ class RayWalk {
   }
 
   /// Looks into the column that the ray is in, once. Then either end() is there, or the ray is to
-  /// go to the neighbour along axis(). Returns the cycles it takes: one for each facet whose voxels
-  /// the ray passes one after another, at least one.
+  /// go to the neighbour along axis(). Returns how many voxels are read: those on its way that are
+  /// armoured, or not on the side of matter that the ray is on.
   int probe(const Columns& columns, const RayJob& job, RayCounts& counts);
 
   bool is_probed() const { return is_probed_; }
+  /// Out of the column the ray has left the cube, rescued or not.
+  bool is_beyond() const { return is_beyond_; }
   const std::optional<RayEnd>& end() const { return end_; }
   int axis() const { return axis_; }
   int step() const { return ray_.direction[axis_] < 0 ? -1 : 1; }
@@ -43,7 +46,7 @@ class RayWalk {
   /// Cycles since the pixel's first ray began, had nothing ever waited.
   std::int64_t age = 0;
 
-  /// The cycle in which the probe is done with it.
+  /// The first cycle in which it may go on.
   std::int64_t ready_at = 0;
 
  private:
@@ -56,6 +59,7 @@ class RayWalk {
   // Of the armoured voxel that the ray is in. True if it ends here.
   bool visit_armour(const Columns& columns, const RayJob& job, int axis, RayCounts& counts);
   void hit(const RayJob& job, const glm::ivec3& here, bool is_rescued);
+  int arithmetic_cycles(const rays::Facet& facet, const rays::Face& face, bool is_mirrored) const;
   void leave_cube(const RayJob& job);
 
   rays::Ray ray_;
@@ -64,6 +68,7 @@ class RayWalk {
   glm::ivec3 at_;
   int axis_ = 0;
   bool is_probed_ = false;
+  bool is_beyond_ = false;
   bool in_room_ = false;
   std::optional<Touched> touched_;
   std::optional<RayEnd> end_;

@@ -36,6 +36,8 @@ enum Register : std::uint8_t {
   kBuild = 0x5C,
   kInverseBits = 0x60,
   kSkipped = 0x64,
+  kRays = 0x68,
+  kRayLimits = 0x6C,
   kRule = 0x74,
 };
 
@@ -46,6 +48,8 @@ constexpr std::uint32_t kBuildSkips = 4;
 constexpr std::uint32_t kCommandClear = 1;
 constexpr std::uint32_t kCommandStart = 2;
 constexpr std::uint32_t kCommandPrepare = 4;
+constexpr std::uint32_t kCommandClearRays = 8;
+constexpr std::uint32_t kCommandTrace = 16;
 constexpr std::uint32_t kRuleAccurate = 1;
 constexpr std::uint32_t kStatusBusy = 1;
 constexpr std::uint32_t kStatusHome = 2;
@@ -60,6 +64,11 @@ inline std::uint32_t build_flags(const MachineConfig& config) {
 inline std::uint32_t inverse_of(int distance, int bits) {
   const std::uint64_t one = std::uint64_t{1} << bits;
   return static_cast<std::uint32_t>(std::min(one - 1, one / static_cast<std::uint64_t>(distance)));
+}
+
+/// What kRayLimits wants.
+constexpr std::uint32_t ray_limits(int depth, int queue, int least_weight) {
+  return static_cast<std::uint32_t>(least_weight << 16 | queue << 8 | depth);
 }
 
 }  // namespace rc2::host_port

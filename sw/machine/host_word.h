@@ -4,14 +4,23 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <initializer_list>
 
 #include "sw/base/config.h"
 #include "sw/machine/plane.h"
 #include "sw/machine/word.h"
+#include "sw/rays/format.h"
 
 namespace rc2 {
 
-enum class ReadWhat : std::uint8_t { voxels = 0, light = 1, counters = 2, layers = 3, ends = 4 };
+enum class ReadWhat : std::uint8_t {
+  voxels = 0,
+  light = 1,
+  counters = 2,
+  layers = 3,
+  ends = 4,
+  hits = 5
+};
 
 /// Field widths of a machine's words, from its size.
 struct WordFormat {
@@ -29,7 +38,8 @@ struct WordFormat {
         push(push_bits(config.n, config.fraction_bits)),
         lead(std::max(2 * count, coefficient)),
         rest(std::max({kLayerBits + width + kFacetBits + 2 * coordinate, coefficient + offset,
-                       kSurfaceBits + normal + gap + offset, push + side + offset})),
+                       kSurfaceBits + normal + gap + offset, push + side + offset,
+                       config.ray_depth > 0 ? kSortBits + ray_bits(config.n) : 0})),
         value(std::max(kClaimBits, home_bits(config.max_distance) + coordinate)) {}
 
   int packet_bits() const { return kKindBits + 2 * lead + rest; }
@@ -42,8 +52,22 @@ struct WordFormat {
                                       normal_fraction_bits(n) << 8 | normal_bits(n));
   }
 
+  /// Bits of what a RAY word says: a place, or the shares and indices of a facet.
+  static constexpr int ray_bits(int n) { return std::max(3 * rays::place_bits(n), 48); }
+
   static constexpr int kKindBits = 3;
+  static constexpr int kSortBits = 2;
   static int home_bits(std::int64_t distance) { return bits_for(24 * distance * distance + 3); }
+};
+
+/// What a RAY word says: of the facet of the HEAD before it, or of the first ray of the cell's
+/// pixel.
+enum class RaySort : std::uint8_t { normal = 0, shares = 1, origin = 2, direction = 3 };
+
+/// A field of a word.
+struct Field {
+  std::int64_t value;
+  int width;
 };
 
 /// How many leads a word still carries: a row pipe's lacks that of the rows.
@@ -92,6 +116,19 @@ class HostWord {
   /// The word that asks every cell for what it holds.
   HostWord(const WordFormat& format, ReadWhat what, Leads leads = Leads::rows_and_cells)
       : HostWord(format, read_word(what), leads) {}
+
+  /// A RAY word, its fields from the lowest.
+  HostWord(const WordFormat& format, RaySort sort, std::initializer_list<Field> fields) {
+    int at = 0;
+    for (const Field& field : fields) {
+      fill(at, field.width, field.value);
+      at += field.width;
+    }
+    fill(format.rest - WordFormat::kSortBits, WordFormat::kSortBits,
+         static_cast<std::int64_t>(sort));
+    fill(format.rest + 2 * format.lead, WordFormat::kKindBits,
+         static_cast<std::int64_t>(WordKind::ray));
+  }
 
   const Limbs& limbs() const { return limbs_; }
 

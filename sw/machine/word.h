@@ -9,7 +9,7 @@
 namespace rc2 {
 
 /// What a word is, numbered as in rtl/rc2_pkg.sv. A packet is a HEAD, a SLAB, its SIDEs and a GAP;
-/// READ, DATA and END, which ends an object, stand alone.
+/// READ, DATA and END, which ends an object, stand alone. A RAY follows a HEAD (sw/machine/ray_words.h).
 enum class WordKind : std::uint8_t {
   head = 0,
   slab = 1,
@@ -17,7 +17,8 @@ enum class WordKind : std::uint8_t {
   gap = 3,
   read = 4,
   data = 5,
-  end = 6
+  end = 6,
+  ray = 7
 };
 
 /// The fields called `lead` in rtl stand once for each pipe: [0] the cells of a row, [1] the rows

@@ -70,6 +70,17 @@ class Render(HostTest):
             self.assertGreaterEqual(traffic["cycles"], max(traffic["busiest"], traffic["latency"]))
         self.assertEqual((self.folder / "out/picture.exr").read_bytes(), picture)
 
+    @unittest.skipIf(SANITIZED, "there is no Verilated array")
+    def test_the_verilated_array_finds_it_too(self):
+        for view in "front", "camera":
+            job = ["gallery", "--n", 4, "--depth", 3, "--view", view, "--queue", 1]
+            cycle, _ = self.render(*job, "--machine", "cycle")
+            rtl, text = self.render(*job, "--machine", "rtl")
+            self.assertIn("in every hit", text)
+            self.assertEqual(rtl["rays"], cycle["rays"])
+            for what in "cycles", "busiest", "hops", "run_on", "sent_again":
+                self.assertEqual(rtl["traffic"][what], cycle["traffic"][what], what)
+
     def test_traffic(self):
         text = self.succeed("ray-traffic", "gallery", "--n", "12,16", "--depth", "0,2", "--queue", "1,2", "--out", "t.csv")
         with open(self.folder / "t.csv", newline="") as file:
@@ -87,8 +98,10 @@ class Render(HostTest):
         self.refuse("ray-traffic", "ball:4", "--n", 16, "--view", "camera", says="has no camera")
         self.refuse("render", "ball:4", "--n", 16, "--queue", 0, says="--queue")
         if not SANITIZED:
-            self.refuse("render", "ball:1.5", "--n", 4, "--fraction-bits", 4, "--machine", "rtl",
-                        says="traces no rays")
+            rtl = ["render", "ball:1.5", "--n", 4, "--machine", "rtl"]
+            self.refuse(*rtl, "--depth", 5, says="--depth 5")
+            self.refuse(*rtl, "--queue", 3, says="--queue 3")
+            self.refuse("render", "ball:3", "--n", 9, "--machine", "rtl", says="rtl_rays_n9")
         self.refuse("render", "ball:4", "--n", 16, "--view", "camera", says="has no camera")
         self.refuse("render", "ball:4", "--n", 16, "--depth", 8, says="--depth")
         self.refuse("render", "ball:4", "--n", 16, "--least-weight", "1.5", says="--least-weight 1.5")

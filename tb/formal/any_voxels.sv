@@ -27,6 +27,19 @@ module rc2_voxels (
     input  logic           [ rc2_pkg::HomeW-1:0] ends_i,
     input  logic           [rc2_pkg::ValueW-1:0] visits_i,
     input  logic [rc2_pkg::HistoryW-1:0] history_i,
+    output logic                               ray_word_o,
+    output logic           [ rc2_pkg::KindW-1:0] ray_kind_o,
+    output logic           [ rc2_pkg::RestW-1:0] ray_rest_o,
+    input  logic                               ray_ready_i,
+    input  logic                               ray_reads_i,
+    input  logic           [rc2_pkg::CoordW-1:0] ray_addr_i,
+    output rc2_pkg::claim_t                    owner_o,
+    output logic           [     rc2_pkg::N-1:0] solid_o,
+    output logic                               ray_read_o,
+    input  logic                               ray_read_done_i,
+    output logic                               ray_read_done_taken_o,
+    input  logic                               ray_data_valid_i,
+    input  rc2_pkg::data_t                     ray_data_i,
     output logic                               busy_o
 );
   (* anyconst *) logic [rc2_pkg::N-1:0] occupied;
@@ -39,4 +52,11 @@ module rc2_voxels (
   assign fill_z_o = '0;
   assign light_addr_o = '0;
   assign busy_o = 1'b0;
+  assign ray_word_o = 1'b0;
+  assign ray_kind_o = '0;
+  assign ray_rest_o = '0;
+  assign owner_o = '0;
+  assign solid_o = '0;
+  assign ray_read_o = 1'b0;
+  assign ray_read_done_taken_o = 1'b0;
 endmodule

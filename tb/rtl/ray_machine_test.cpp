@@ -1,0 +1,141 @@
+// Rays on the Verilated array: every hit as golden has it, bit for bit, and none lost, however deep
+// the queues are; every count and the cycles as the cycle model has them.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <iostream>
+
+#include "sim/rtl_machine.h"
+#include "sw/cycle/cycle_machine.h"
+#include "sw/facet/layers.h"
+#include "sw/facet/optics.h"
+#include "sw/golden/golden_machine.h"
+#include "sw/report/laws.h"
+#include "tb/unit/random_rays.h"
+
+namespace rc2 {
+namespace {
+
+constexpr int kFraction = 6;
+
+// Of random rays in each scene. More of them take long.
+std::uint64_t rounds() {
+  const char* asked = std::getenv("RC2_RAY_ROUNDS");
+  return asked == nullptr ? 3 : std::strtoull(asked, nullptr, 10);
+}
+
+std::unique_ptr<Machine> make_rtl(int n) {
+  return make_rtl_machine("rays_n" + std::to_string(n), {});
+}
+
+class Pair {
+ public:
+  Pair(Machine& rtl, const std::string& scene)
+      : Pair(rtl, scene::generate(scene, rtl.config().n)) {}
+  Pair(Machine& rtl, const scene::Scene& scene)
+      : rtl_(rtl),
+        n_(rtl.config().n),
+        facets_(facet::build_layers(scene, n_, kFraction)),
+        optics_(facet::find_optics(facets_.facets, scene.materials)),
+        golden_(rtl.config()),
+        cycle_(rtl.config()) {
+    golden_.load(facets_.packets, {});
+    cycle_.load(facets_.packets, {});
+    rtl_.load(facets_.packets, {});
+  }
+
+  // Facets of every kind: mirrors, glass, both, and dull ones.
+  void shuffle_optics(std::uint64_t seed) {
+    scene::Random random(seed);
+    for (rays::Facet& facet : optics_) {
+      facet.mirror = static_cast<std::uint16_t>(64 * random.below(5));
+      facet.clear = static_cast<std::uint16_t>(rays::kShareOne - facet.mirror);
+      facet.enter = static_cast<std::uint16_t>(rays::kIndexOne * 2 / (2 + random.below(3)));
+      facet.leave = static_cast<std::uint16_t>(rays::kIndexOne * (2 + random.below(3)) / 2);
+    }
+  }
+
+  RayTraffic compare(const rays::Limits& limits, int queue,
+                     const std::vector<RayStart>* starts = nullptr) {
+    const RayJob job{limits, &optics_, starts, queue};
+    const RayResult want = golden_.trace(job, {}), have = rtl_.trace(job, {});
+    report::check_rays(have);
+    EXPECT_EQ(want.hits.size(), have.hits.size());
+    for (std::size_t i = 0; i < std::min(want.hits.size(), have.hits.size()); ++i) {
+      if (want.hits[i] == have.hits[i]) continue;
+      const RayHit &a = want.hits[i], &b = have.hits[i];
+      ADD_FAILURE() << "pixel " << a.ray.home.x << "," << a.ray.home.y << " node "
+                    << int{a.ray.node} << " facet " << a.facet << " and node " << int{b.ray.node}
+                    << " facet " << b.facet;
+      break;
+    }
+    EXPECT_TRUE(want.counts == have.counts);
+    const RayTraffic is = have.traffic, ought = cycle_.trace(job, {}).traffic;
+    EXPECT_EQ(is.cycles, ought.cycles);
+    EXPECT_EQ(is.busiest, ought.busiest);
+    EXPECT_EQ(is.hops, ought.hops);
+    EXPECT_EQ(is.answers, ought.answers);
+    EXPECT_EQ(is.run_on, ought.run_on);
+    EXPECT_EQ(is.sent_again, ought.sent_again);
+    return is;
+  }
+
+  std::vector<RayStart> random_starts(std::uint64_t seed) const {
+    scene::Random random(seed);
+    std::vector<RayStart> starts;
+    for (int i = 0; i < n_ * n_; ++i) {
+      const rays::Ray ray = random_ray(random, n_);
+      starts.push_back({ray.origin, ray.direction});
+    }
+    return starts;
+  }
+
+ private:
+  Machine& rtl_;
+  int n_;
+  facet::FacetSet facets_;
+  std::vector<rays::Facet> optics_;
+  golden::GoldenMachine golden_;
+  cycle::CycleMachine cycle_;
+};
+
+class RayMachine : public ::testing::TestWithParam<int> {
+ protected:
+  std::unique_ptr<Machine> rtl_ = make_rtl(GetParam());
+};
+
+TEST_P(RayMachine, HitsWhatGoldenHits) {
+  for (const char* scene : {"gallery", "room", "ball:1.5", "dust:8:1", "empty"}) {
+    SCOPED_TRACE(scene);
+    Pair pair(*rtl_, scene);
+    pair.compare({4, 16}, 2);
+    pair.compare({0, 1}, 1);
+  }
+}
+
+TEST_P(RayMachine, DoesNotBlockWhereRaysStartAnywhereInAnyDirection) {
+  RayTraffic sum;
+  for (const char* scene : {"gallery", "dust:6:3"}) {
+    Pair pair(*rtl_, scene);
+    for (std::uint64_t seed = 1; seed <= rounds(); ++seed) {
+      SCOPED_TRACE(scene + std::to_string(seed));
+      pair.shuffle_optics(seed);
+      const std::vector<RayStart> starts = pair.random_starts(seed);
+      const RayTraffic traffic = pair.compare({4, 16}, seed % 3 == 0 ? 2 : 1, &starts);
+      sum.answers += traffic.answers;
+      sum.run_on += traffic.run_on;
+      sum.sent_again += traffic.sent_again;
+      sum.hops += traffic.hops;
+    }
+  }
+  std::cout << sum.answers << " rays\n";
+  EXPECT_GT(sum.run_on, 0);
+  EXPECT_GT(sum.sent_again, 0);
+  EXPECT_GT(sum.hops, 0);
+}
+
+constexpr int kSizes[] = RC2_RAY_SIZES;
+INSTANTIATE_TEST_SUITE_P(Sizes, RayMachine, ::testing::ValuesIn(kSizes));
+
+}  // namespace
+}  // namespace rc2
