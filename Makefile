@@ -144,7 +144,7 @@ bench-load: build
 area: build
 	@scripts/setup area
 	@scripts/area '$(OUT)/area'
-	@scripts/energy '$(OUT)/area' build
+	@scripts/energy '$(OUT)/energy' build
 	@scripts/area-figures docs
 
 oracle: build/build.ninja

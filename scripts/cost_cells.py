@@ -2,7 +2,8 @@
 
 import math
 
-from cost_record import MODES, QUEUE, SIDE, cell_area, kilo, light_area, path, pick, table
+from cell_build import QUEUE, SIDE
+from cost_record import MODES, cell_area, kilo, light_area, path, pick, table
 from synthesis import FLIP_FLOP, NAND2
 
 DENSITY = 0.8  # share of a die that gates fill: an estimate

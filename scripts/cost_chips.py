@@ -31,14 +31,17 @@ def fpga(found):
 
 def hx8k(found):
     def row(of):
-        return (MODES[of["mode"]], f"{of['n']} × {of['n']}", of["fa"], of["cells"], f"{100 * of['cells'] / HX8K[0]:.0f} %", of["blocks"],
-                f"{of['mhz']:.1f}" if of["mhz"] else "does not fit")
+        what = f"machine of {of['n']} × {of['n']}" if of["top"] == "rc2_machine" else f"one cell, n = {of['n']}"
+        return (MODES[of["mode"]], what, of["f"], f"{of['reach']}n", of["fa"], "yes" if of["skips"] and of["mode"] == "fast" else "no",
+                of["cells"], f"{100 * of['cells'] / HX8K[0]:.0f} %", of["blocks"], f"{of['mhz']:.1f}" if of["mhz"] else "does not fit")
 
-    yield "## A machine on an iCE40 HX8K"
+    yield "## On an iCE40 HX8K"
     yield ""
-    yield f"The whole machine with its host port; the chip has {HX8K[0]} logic cells and {HX8K[1]} blocks of memory."
+    yield (f"As nextpnr places it; the chip has {HX8K[0]} logic cells and {HX8K[1]} blocks of memory. A machine is whole, with its "
+           "host port. Inputs share pins and outputs are summed into one, or there were not pins enough; MHz are from register to register.")
     yield ""
-    yield from table(("mode", "cells", "FA", "logic cells", "of the chip", "blocks of memory", "MHz"), map(row, found["hx8k"]))
+    yield from table(("mode", "what", "f", "L up to", "FA", "skips", "logic cells", "of the chip", "blocks of memory", "MHz"),
+                     map(row, found["hx8k"]))
 
 
 def energy(found):

@@ -1,6 +1,7 @@
 """Area times time: tables and plot."""
 
-from cost_record import MODES, QUEUE, SIDE, cell_area, kilo, light_area, pick, table
+from cell_build import QUEUE, SIDE
+from cost_record import MODES, cell_area, kilo, light_area, pick, table
 from plot import Plot
 from synthesis import NAND2
 
