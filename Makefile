@@ -28,7 +28,7 @@
 ##   report    report/index.html: pictures, plots, tables, a 3D view and the wave of light on one page
 ##   bench-render  rendering: what rays and pictures differ from the continuous scene, cycles of the
 ##             network, as the docs show them
-##   area      what a cell costs: area, clock, area times time, as the docs show it
+##   area      what a cell costs: area, clock, area times time, FPGAs, energy of a light, as the docs show it
 ##   test      every test; the last line is their summary
 ##   coverage  lines, branches, toggles and functional points that the tests go through, RTL and C++:
 ##             out/coverage/index.html, and as the docs show it
@@ -157,7 +157,9 @@ bench-load: build
 	@scripts/bench-load '$(OUT)/bench-load'
 
 area: build
+	@scripts/setup area
 	@scripts/area '$(OUT)/area'
+	@scripts/energy '$(OUT)/energy' build
 	@scripts/area-figures docs
 
 oracle: build/build.ninja

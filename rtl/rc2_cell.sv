@@ -115,6 +115,8 @@ module rc2_cell (
   localparam int unsigned MatrixW = rc2_pkg::MatrixW;
   localparam int unsigned StopW = rc2_pkg::StopW;
 
+  rc2_limits u_limits ();
+
   // ---- The column ----------------------------------------------------------------------------------
   logic voxels_busy;
   logic [N-1:0] occupied, stops;
@@ -410,7 +412,7 @@ module rc2_cell (
     logic large_q, rests_q;
     always_ff @(posedge clk_i) begin
       if (!rst_ni) large_q <= 1'b0;
-      else if (start_i) large_q <= (light_i.distance >= rc2_pkg::DistanceW'(N));
+      else if (start_i) large_q <= (32'(light_i.distance) >= N);
       rests_q <= !start_i && !busy_o && !pace_i.active;
       if (rst_ni && large_q && rests_q) assert (lit == (arrived != 0));
     end

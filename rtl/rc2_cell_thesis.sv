@@ -68,6 +68,8 @@ module rc2_cell_thesis (
   logic [15:0] signature;
   logic [rc2_pkg::N-1:0] occupied, stops;
 
+  rc2_limits u_limits ();
+
   // ---- The column ----------------------------------------------------------------------------------
   logic voxels_busy, fill;
   logic [CoordW-1:0] light_addr, fill_z;

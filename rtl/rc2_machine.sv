@@ -63,6 +63,8 @@ module rc2_machine (
   localparam int unsigned HomeW = rc2_pkg::HomeW;
   localparam logic [31:0] Id = 32'h52433202;
 
+  rc2_limits u_limits ();
+
   // ---- The array -----------------------------------------------------------------------------
   logic clear_q, prepare_q, start_q, ray_clear_q, ray_start_q, accurate_q, array_busy, light_busy, busy;
   rc2_pkg::light_t light_q;

@@ -3,7 +3,7 @@
 // The one place where the machine's size, message formats and widths are stated.
 //
 // A build chooses N, F, LMAX, FAMAX, FEEDERS, LAYERS, THESIS, COUNTS and SKIPS by macros; everything else
-// follows from them.
+// follows from them. rc2_limits refuses what no machine can come of.
 // sw/base/config.h derives the same widths for the host, which checks them against the
 // capability registers of rc2_machine before it sends a word.
 //
@@ -17,7 +17,7 @@
 `define RC2_F 4
 `endif
 `ifndef RC2_LMAX
-`define RC2_LMAX (4 * `RC2_N)
+`define RC2_LMAX (4 * N)
 `endif
 `ifndef RC2_FAMAX
 `define RC2_FAMAX 32
@@ -44,23 +44,35 @@
 `define RC2_RAYQ 2
 `endif
 `ifndef RC2_FEEDERS
-`define RC2_FEEDERS ((`RC2_N >= 64) ? 16 : (`RC2_N >= 32) ? 8 : (`RC2_N >= 16) ? 4 : \
-                     (`RC2_N >= 8) ? 2 : 1)
+`define RC2_FEEDERS ((N >= 64) ? 16 : (N >= 32) ? 8 : (N >= 16) ? 4 : (N >= 8) ? 2 : 1)
 `endif
 
 package rc2_pkg;
 
   // ---- What a build chooses ----------------------------------------------------------------
-  localparam int unsigned N = `RC2_N;          // cells per side and voxels per column, >= 2
-  localparam int unsigned F = `RC2_F;          // vertices are multiples of 2^-F voxel
-  localparam int unsigned LMAX = `RC2_LMAX;    // largest distance of the virtual faces
-  localparam int unsigned FAMAX = `RC2_FAMAX;  // places in a cell's beam queue (FA)
-  localparam int unsigned FEEDERS = `RC2_FEEDERS;  // words per cycle from the host; a power of two
+  // What is out of range becomes something small here, so that only rc2_limits speaks. N and F go as
+  // far as the host's 64-bit arithmetic (sw/base/config.h), LMAX four times as far as N, FAMAX as far as
+  // what rc2_history says fits a word of readback.
+  localparam bit FitsN = (`RC2_N >= 2 && `RC2_N <= 1024);
+  localparam int unsigned N = FitsN ? `RC2_N : 2;  // cells per side and voxels per column
+  localparam bit FitsF = (`RC2_F >= 0 && `RC2_F <= 8);
+  localparam int unsigned F = FitsF ? `RC2_F : 4;  // vertices are multiples of 2^-F voxel
+  localparam bit FitsLmax = (`RC2_LMAX >= 2 && `RC2_LMAX <= 4096);
+  localparam int unsigned LMAX = FitsLmax ? `RC2_LMAX : 4 * N;  // largest distance of the virtual faces
+  localparam bit FitsFamax = (`RC2_FAMAX >= 1 && `RC2_FAMAX <= 4093);
+  localparam int unsigned FAMAX = FitsFamax ? `RC2_FAMAX : 32;  // places in a cell's beam queue (FA)
+  localparam bit FitsFeeders =
+      (`RC2_FEEDERS >= 1 && `RC2_FEEDERS <= N && (`RC2_FEEDERS & (`RC2_FEEDERS - 1)) == 0);
+  localparam int unsigned FEEDERS = FitsFeeders ? `RC2_FEEDERS : 1;  // words per cycle from the host
 
   localparam bit LAYERS = (`RC2_LAYERS != 0);  // columns know shown, inside and guard, not only armour
   localparam bit THESIS = (`RC2_THESIS != 0);  // light as in thesis 4.4, else in lanes (rtl/lanes)
   localparam bit COUNTS = (`RC2_COUNTS != 0);  // columns count targets, else they know only lit or not
   localparam bit SKIPS = (`RC2_SKIPS != 0);    // in lanes: light that can meet nothing ends early
+  localparam bit FitsLayers = (`RC2_LAYERS == 0 || `RC2_LAYERS == 1);
+  localparam bit FitsThesis = (`RC2_THESIS == 0 || `RC2_THESIS == 1);
+  localparam bit FitsCounts = (`RC2_COUNTS == 0 || `RC2_COUNTS == 1);
+  localparam bit FitsSkips = (`RC2_SKIPS == 0 || `RC2_SKIPS == 1);
 
   localparam bit RAYS = (`RC2_RAYS != 0);  // cells trace rays; needs LAYERS, lanes and N >= 3
   localparam int unsigned RAYDEPTH = `RC2_RAYDEPTH;  // most bounces of a ray, <= 7

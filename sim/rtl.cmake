@@ -8,13 +8,13 @@ find_program(VERILATOR verilator REQUIRED)
 
 # The RTL is read from here; scripts/mutation has a copy that it breaks.
 set(RC2_RTL_FOLDER ${PROJECT_SOURCE_DIR}/rtl CACHE PATH "Folder of the RTL")
-# A module comes after those it uses: package, parts, units, column, cell, array, machine.
+# A module comes after those it uses: package, parts, units, limits, column, cell, array, machine.
 set(RC2_RTL_SOURCES ${RC2_RTL_FOLDER}/rc2_pkg.sv)
 foreach(level parts load light lanes rays net)
   file(GLOB modules CONFIGURE_DEPENDS ${RC2_RTL_FOLDER}/${level}/*.sv)
   list(APPEND RC2_RTL_SOURCES ${modules})
 endforeach()
-foreach(module column voxels cell cell_thesis grid grid_thesis array machine)
+foreach(module limits column voxels cell cell_thesis grid grid_thesis array machine)
   list(APPEND RC2_RTL_SOURCES ${RC2_RTL_FOLDER}/rc2_${module}.sv)
 endforeach()
 set(RC2_VERILATED_GLUE ${PROJECT_SOURCE_DIR}/sim/verilated_machine.cpp
