@@ -31,4 +31,13 @@ module rc2_limits;
   if (!rc2_pkg::FitsSkips) begin : g_skips
     $error("RC2_SKIPS, light that can meet nothing ends early, must be 0 or 1");
   end
+  if (!rc2_pkg::FitsRays) begin : g_rays
+    $error("RC2_RAYS, cells that trace rays, must be 0, or 1 with RC2_LAYERS, without RC2_THESIS and with RC2_N from 3");
+  end
+  if (!rc2_pkg::FitsRayDepth) begin : g_ray_depth
+    $error("RC2_RAYDEPTH, most bounces of a ray, must be from 1 to 7");
+  end
+  if (!rc2_pkg::FitsRayQ) begin : g_ray_queue
+    $error("RC2_RAYQ, places of each queue of rays, must be from 1 to 255");
+  end
 endmodule

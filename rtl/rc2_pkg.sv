@@ -74,9 +74,14 @@ package rc2_pkg;
   localparam bit FitsCounts = (`RC2_COUNTS == 0 || `RC2_COUNTS == 1);
   localparam bit FitsSkips = (`RC2_SKIPS == 0 || `RC2_SKIPS == 1);
 
-  localparam bit RAYS = (`RC2_RAYS != 0);  // cells trace rays; needs LAYERS, lanes and N >= 3
-  localparam int unsigned RAYDEPTH = `RC2_RAYDEPTH;  // most bounces of a ray, <= 7
-  localparam int unsigned RAYQ = `RC2_RAYQ;          // places of each queue that rays travel through
+  // Rays ask for what is inside, and for two neighbours.
+  localparam bit FitsRays =
+      (`RC2_RAYS == 0 || (`RC2_RAYS == 1 && LAYERS && !THESIS && `RC2_N >= 3));
+  localparam bit RAYS = FitsRays && (`RC2_RAYS != 0);  // cells trace rays
+  localparam bit FitsRayDepth = (`RC2_RAYDEPTH >= 1 && `RC2_RAYDEPTH <= 7);
+  localparam int unsigned RAYDEPTH = FitsRayDepth ? `RC2_RAYDEPTH : 1;  // most bounces of a ray
+  localparam bit FitsRayQ = (`RC2_RAYQ >= 1 && `RC2_RAYQ <= 255);
+  localparam int unsigned RAYQ = FitsRayQ ? `RC2_RAYQ : 1;  // places of each queue that rays travel through
 
   // ---- Widths ------------------------------------------------------------------------------
   localparam int unsigned CoordW = (N <= 2) ? 1 : $clog2(N);  // 0 .. N-1

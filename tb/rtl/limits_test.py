@@ -10,11 +10,13 @@ import unittest
 ROOT = os.environ["RC2_SOURCE_DIR"]
 FOLDERS = [folder for folder, _, _ in os.walk(f"{ROOT}/rtl")]
 # Of each macro what is just inside its range, and just outside while the others are as by default.
-LEAST = {"N": 2, "F": 0, "LMAX": 2, "FAMAX": 1, "FEEDERS": 1, "LAYERS": 0, "THESIS": 0, "COUNTS": 0, "SKIPS": 0}
-MOST = {"N": 1024, "F": 8, "LMAX": 4096, "FAMAX": 4093, "FEEDERS": 1024, "LAYERS": 1, "THESIS": 1, "COUNTS": 1, "SKIPS": 1}
+LEAST = {"N": 2, "F": 0, "LMAX": 2, "FAMAX": 1, "FEEDERS": 1, "LAYERS": 0, "THESIS": 0, "COUNTS": 0, "SKIPS": 0,
+         "RAYS": 0, "RAYDEPTH": 1, "RAYQ": 1}
+MOST = {"N": 1024, "F": 8, "LMAX": 4096, "FAMAX": 4093, "FEEDERS": 1024, "LAYERS": 1, "THESIS": 1, "COUNTS": 1, "SKIPS": 1,
+        "RAYS": 0, "RAYDEPTH": 7, "RAYQ": 255}
 OUTSIDE = {
     "N": (-1, 0, 1, 1025), "F": (-1, 9), "LMAX": (-5, 0, 1, 4097), "FAMAX": (-1, 0, 4094), "FEEDERS": (-1, 0, 3, 32),
-    "LAYERS": (-1, 2), "THESIS": (-1, 2), "COUNTS": (-1, 2), "SKIPS": (-1, 2),
+    "LAYERS": (-1, 2), "THESIS": (-1, 2), "COUNTS": (-1, 2), "SKIPS": (-1, 2), "RAYS": (-1, 2), "RAYDEPTH": (-1, 0, 8), "RAYQ": (-1, 0, 256),
 }
 
 
@@ -61,8 +63,12 @@ class Limits(unittest.TestCase):
             for value in values:
                 self.refuse("rc2_limits", name, value)
 
+    def test_rays_want_layers_lanes_and_neighbours(self):
+        for macros in ({"LAYERS": 0}, {"THESIS": 1}, {"N": 2}):
+            self.refuse("rc2_limits", "RAYS", 1, **macros)
+
     def test_inside(self):
-        for macros in ({}, {"N": 3}, LEAST, MOST):
+        for macros in ({}, {"N": 3}, {"N": 3, "RAYS": 1}, LEAST, MOST):
             self.assertEqual(self.look("rc2_limits", **macros), [[], []], macros)
 
     def test_whoever_is_built_asks(self):
