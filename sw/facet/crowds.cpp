@@ -12,7 +12,7 @@ namespace {
 constexpr double kCube = 4;      // side, voxels
 constexpr double kLayers = 2.5;  // of a cube's section each
 constexpr double kSamplesPerSection = 8;
-constexpr double kMostSamples = 1024;  // of a large facet, which cannot fill one cube
+constexpr double kMostSamples = 1024;  // of a large facet: time
 
 // Roberts's sequence R2: evenly spread whatever the number of points.
 constexpr double kStepU = 0.7548776662466927, kStepV = 0.5698402909980532;
@@ -49,7 +49,9 @@ std::vector<bool> find_crowded(const Traced& traced, const std::vector<const Pie
   std::unordered_map<std::uint64_t, double> surface;  // of each cube
   for (const Traced::Piece& piece : traced.pieces) {
     if (!piece.facet) continue;
-    for_each_sample(piece.border, one, [&](const Sample& s) { surface[s.cube] += s.area; });
+    // One of few samples stands for more than a cube can hold of a single facet.
+    for_each_sample(piece.border, one,
+                    [&](const Sample& s) { surface[s.cube] += std::min(s.area, 1.0); });
   }
   std::vector<bool> is_crowded(traced.pieces.size());
   for (const Pieces* shell : shells) {

@@ -618,6 +618,17 @@ TEST(Layers, ACrowdHasNoGuard) {
     EXPECT_EQ(crowd.packets.heads[i].surface, Surface::crowd);
 }
 
+// A facet alone is no crowd, however large.
+TEST(Layers, OneLargeFacetIsNoCrowd) {
+  for (const int n : {64, 512, 1024}) {
+    Scene scene;
+    scene.materials.resize(1);
+    const double high = n - 2;
+    scene.add({{1, 1, 9}, {high, 1, 9}, {high, high, 20}, {1, high, 20}}, 0);
+    EXPECT_EQ(build_layers(scene, n, 4).counts.crowded, 0) << n;
+  }
+}
+
 TEST(Layers, ClosedMeshesAreNoCrowd) {
   for_each_mesh(4, [](const Scene& scene, int n, int fraction_bits) {
     if (n < 24) return;  // the smaller, the more of it is in a cube of four voxels
