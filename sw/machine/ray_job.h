@@ -57,7 +57,8 @@ struct RayCounts {
 
 bool operator==(const RayCounts& a, const RayCounts& b);
 
-/// How the rays travelled; 0 on golden; latency, waits and max_stack 0 on rtl. Rays begun = first rays + run_on + sent_again.
+/// How the rays travelled; 0 on golden; latency, waits and max_stack 0 on rtl. Rays begun = first
+/// rays + run_on + sent_again.
 struct RayTraffic {
   std::int64_t cycles = 0;   ///< from the start to the last answer at home
   std::int64_t busiest = 0;  ///< cycles that the busiest cell was at work
