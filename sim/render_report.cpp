@@ -67,7 +67,7 @@ std::string to_text(const RenderReport& report) {
     const RayTraffic& traffic = report.result->traffic;
     text += fmt::format(
         "cycles                 {}\n"
-        "busiest cell's probe   {} cycles\n"
+        "busiest cell           {} cycles\n"
         "longest chain          {} cycles, if nothing waited\n"
         "began where they were  {}\n"
         "sent from home again   {}\n"

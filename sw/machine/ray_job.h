@@ -57,10 +57,11 @@ struct RayCounts {
 
 bool operator==(const RayCounts& a, const RayCounts& b);
 
-/// How the rays travelled; 0 on golden. Rays begun = first rays + run_on + sent_again.
+/// How the rays travelled; 0 on golden; latency, waits and max_stack 0 on rtl. Rays begun = first
+/// rays + run_on + sent_again.
 struct RayTraffic {
   std::int64_t cycles = 0;   ///< from the start to the last answer at home
-  std::int64_t busiest = 0;  ///< cycles that the probe of the busiest cell was at work
+  std::int64_t busiest = 0;  ///< cycles that the busiest cell was at work
   std::int64_t latency = 0;  ///< of the longest chain of rays and its way home, if nothing waited
   std::int64_t hops = 0;     ///< of rays, from cell to cell
   std::int64_t waits = 0;    ///< cycles that rays spent with nothing left to do but to go on

@@ -9,7 +9,8 @@
 namespace rc2 {
 
 /// What a word is, numbered as in rtl/rc2_pkg.sv. A packet is a HEAD, a SLAB, its SIDEs and a GAP;
-/// READ, DATA and END, which ends an object, stand alone. A RAY follows a HEAD (sw/machine/ray_words.h).
+/// READ, DATA and END, which ends an object, stand alone. A RAY follows a HEAD
+/// (sw/machine/ray_words.h).
 enum class WordKind : std::uint8_t {
   head = 0,
   slab = 1,
