@@ -33,7 +33,7 @@ def library():
 
 @dataclasses.dataclass
 class Count:
-    """Of the cycles of a light, over all cells that were replayed."""
+    """Of the cycle that starts a light and its cycles, over all cells that were replayed."""
 
     cycles: int = 0
     active: int = 0  # cycles in which a register changed
@@ -106,7 +106,7 @@ class Gates:
         return [net if net in self.cost else None for net in found]
 
     def count(self, waves, cycles):
-        found, nets, level, active = Count(cycles), {}, {}, set()
+        found, nets, level, active = Count(cycles + 1), {}, {}, set()
         with open(waves) as file:
             for line in file:
                 words = line.split()

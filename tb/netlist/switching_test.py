@@ -62,7 +62,7 @@ class Switching(unittest.TestCase):
 
     def test_counting(self):
         found = self.replay("1" * 16)
-        self.assertEqual((found.cycles, found.active), (16, 16))
+        self.assertEqual((found.cycles, found.active), (17, 16))
         # Bit k switches in every 2^k-th cycle; the sum's own nets come on top.
         self.assertGreaterEqual(found.switches, 30)
         self.assertGreater(found.data, 0)
