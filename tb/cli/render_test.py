@@ -73,7 +73,7 @@ class Render(HostTest):
     @unittest.skipIf(SANITIZED, "there is no Verilated array")
     def test_the_verilated_array_finds_it_too(self):
         for view in "front", "camera":
-            job = ["gallery", "--n", 4, "--depth", 3, "--view", view, "--queue", 1]
+            job = ["gallery", "--n", 4, "--light", "2,2,2", "--depth", 3, "--view", view, "--queue", 1]
             cycle, _ = self.render(*job, "--machine", "cycle")
             rtl, text = self.render(*job, "--machine", "rtl")
             self.assertIn("in every hit", text)
