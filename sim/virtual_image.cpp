@@ -46,7 +46,7 @@ struct Stage {
     scene.materials.resize(1);
     const double thick = 0.1 * n;
     const glm::dmat3 axes(-normal, along, glm::dvec3(0, 0, 1));
-    scene::add_box(scene, {foot - thick * normal, {thick, half * n, 0.3 * n}, axes}, 0);
+    scene::add_box(scene, {foot - thick * normal, {thick, kHalf * n, 0.3 * n}, axes}, 0);
     facets = facet::build_layers(scene, n, kRenderFraction);
     optics = facet::find_optics(facets.facets, scene.materials);
     make_mirrors(optics);
@@ -59,12 +59,12 @@ struct Stage {
     const int count = 2 * n;
     for (int i = 0; i < count; ++i) {
       const double share = 1.8 * (i + 0.5) / count - 0.9;
-      all.push_back({source, glm::normalize(foot + share * half * n * along - source)});
+      all.push_back({source, glm::normalize(foot + share * kHalf * n * along - source)});
     }
     return all;
   }
 
-  static constexpr double half = 0.3;          // of the mirror's length, in n
+  static constexpr double kHalf = 0.3;         // of the mirror's length, in n
   glm::dvec3 normal{-12.0 / 13, 5.0 / 13, 0};  // towards the source
   glm::dvec3 along{5.0 / 13, 12.0 / 13, 0};    // the mirror
   glm::dvec3 source, foot, image;              // foot: its middle

@@ -37,7 +37,8 @@ glm::ivec3 slope_form(const glm::dvec3& normal, const glm::ivec3& otherwise) {
   const glm::dvec3 size = glm::abs(normal);
   const double largest = std::max({size.x, size.y, size.z});
   if (largest < 1e-6) return otherwise;
-  return glm::ivec3(glm::round(normal * (rays::kNormalOne / largest)));
+  const glm::dvec3 scaled = normal * (rays::kNormalOne / largest);
+  return {glm::round(scaled)};
 }
 
 struct InOrderOfDumps {
