@@ -48,6 +48,8 @@ def by_scene(rows, value):
 class Cost:
     """What a cell costs (docs/cost.json): clock and area, between the sizes measured by the power of n."""
 
+    BUILD = {"fa": 8, "reach": 2, "f": 4, "layers": 0}
+
     def __init__(self, path):
         with open(path, encoding="utf-8") as file:
             self.cells = json.load(file)["cells"]
@@ -55,7 +57,7 @@ class Cost:
     def _at(self, mode, n, value):
         known = {}
         for cell in self.cells:
-            if cell["mode"] == mode and cell["fa"] == 8:
+            if {"mode": mode, **self.BUILD}.items() <= cell.items():
                 known[cell["n"]] = value(cell)
         if n in known:
             return known[n]
