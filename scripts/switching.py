@@ -17,7 +17,7 @@ VOLTS = 1.8
 CYCLE = 10  # steps of the bench's time
 
 
-def library():
+def pins_of_cells():
     """gate -> pin -> (direction, pF, pJ of a switch)"""
     found = {}
     with open(LIBRARY) as file:
@@ -56,7 +56,7 @@ class Gates:
         self.design = design
         with open(f"{design.base}.v") as file:
             netlist = file.read()
-        pins = library()
+        pins = pins_of_cells()
         self.cost = collections.Counter()  # pJ of a switch of a net
         self.registers = set()
         for gate, instance in re.findall(r"\n  (\w+) \S+ \(\n(.*?)\n  \);", netlist, re.DOTALL):

@@ -55,7 +55,7 @@ class Switching(unittest.TestCase):
         self.assertEqual(len(self.gates.registers), 4)
 
     def test_a_switch_costs_what_the_library_says(self):
-        direction, load, inner = switching.library()["DFFPOSX1"]["CLK"]
+        direction, load, inner = switching.pins_of_cells()["DFFPOSX1"]["CLK"]
         self.assertEqual((direction, load), ("input", 0.0279235))
         self.assertAlmostEqual(inner, (0.006865 + 0.11034) / 2)
         self.assertAlmostEqual(self.gates.clock, 4 * 2 * (inner + 1.8 ** 2 * load / 2))

@@ -34,8 +34,7 @@ class Pair {
       : Pair(rtl, scene::generate(scene, rtl.config().n)) {}
   Pair(Machine& rtl, const scene::Scene& scene)
       : rtl_(rtl),
-        n_(rtl.config().n),
-        facets_(facet::build_layers(scene, n_, kFraction)),
+        facets_(facet::build_layers(scene, rtl.config().n, kFraction)),
         optics_(facet::find_optics(facets_.facets, scene.materials)),
         golden_(rtl.config()),
         cycle_(rtl.config()) {
@@ -80,19 +79,8 @@ class Pair {
     return is;
   }
 
-  std::vector<RayStart> random_starts(std::uint64_t seed) const {
-    scene::Random random(seed);
-    std::vector<RayStart> starts;
-    for (int i = 0; i < n_ * n_; ++i) {
-      const rays::Ray ray = random_ray(random, n_);
-      starts.push_back({ray.origin, ray.direction});
-    }
-    return starts;
-  }
-
  private:
   Machine& rtl_;
-  int n_;
   facet::FacetSet facets_;
   std::vector<rays::Facet> optics_;
   golden::GoldenMachine golden_;
@@ -120,7 +108,7 @@ TEST_P(RayMachine, DoesNotBlockWhereRaysStartAnywhereInAnyDirection) {
     for (std::uint64_t seed = 1; seed <= rounds(); ++seed) {
       SCOPED_TRACE(scene + std::to_string(seed));
       pair.shuffle_optics(seed);
-      const std::vector<RayStart> starts = pair.random_starts(seed);
+      const std::vector<RayStart> starts = random_starts(seed, rtl_->config().n);
       const RayTraffic traffic = pair.compare({4, 16}, seed % 3 == 0 ? 2 : 1, &starts);
       sum.answers += traffic.answers;
       sum.run_on += traffic.run_on;

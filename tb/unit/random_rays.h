@@ -5,7 +5,9 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <vector>
 
+#include "sw/machine/ray_job.h"
 #include "sw/rays/ray.h"
 #include "sw/scene/random.h"
 
@@ -35,6 +37,17 @@ inline rays::Ray random_ray(scene::Random& random, int n) {
   }
   ray.direction = random_direction(random, n);
   return ray;
+}
+
+/// One for each pixel of n x n.
+inline std::vector<RayStart> random_starts(std::uint64_t seed, int n) {
+  scene::Random random(seed);
+  std::vector<RayStart> starts;
+  for (int i = 0; i < n * n; ++i) {
+    const rays::Ray ray = random_ray(random, n);
+    starts.push_back({ray.origin, ray.direction});
+  }
+  return starts;
 }
 
 }  // namespace rc2

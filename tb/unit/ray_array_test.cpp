@@ -17,8 +17,7 @@ class Pair {
  public:
   Pair(const std::string& scene, int n) : Pair(scene::generate(scene, n), n) {}
   Pair(const scene::Scene& scene, int n)
-      : n_(n),
-        facets_(facet::build_layers(scene, n, kFraction)),
+      : facets_(facet::build_layers(scene, n, kFraction)),
         optics_(facet::find_optics(facets_.facets, scene.materials)),
         golden_(config(n)),
         cycle_(config(n)) {
@@ -49,16 +48,6 @@ class Pair {
     return traffic;
   }
 
-  std::vector<RayStart> random_starts(std::uint64_t seed) const {
-    scene::Random random(seed);
-    std::vector<RayStart> starts;
-    for (int i = 0; i < n_ * n_; ++i) {
-      const rays::Ray ray = random_ray(random, n_);
-      starts.push_back({ray.origin, ray.direction});
-    }
-    return starts;
-  }
-
  private:
   static MachineConfig config(int n) {
     MachineConfig config;
@@ -67,7 +56,6 @@ class Pair {
     return config;
   }
 
-  int n_;
   facet::FacetSet facets_;
   std::vector<rays::Facet> optics_;
   golden::GoldenMachine golden_;
@@ -97,10 +85,11 @@ TEST(RayArray, DoesNotBlockWithQueuesOneDeepWhereEverythingMirrors) {
 }
 
 TEST(RayArray, DoesNotBlockWhereRaysStartAnywhereInAnyDirection) {
+  const int n = 20;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-    Pair pair(seed % 2 == 0 ? "gallery" : "shells:15:4", 20);
+    Pair pair(seed % 2 == 0 ? "gallery" : "shells:15:4", n);
     pair.make_lively();
-    const std::vector<RayStart> starts = pair.random_starts(seed);
+    const std::vector<RayStart> starts = random_starts(seed, n);
     const RayTraffic traffic = pair.compare(5, seed < 4 ? 1 : 3, &starts);
     EXPECT_GT(traffic.run_on, 0);
     EXPECT_GT(traffic.hops, 0);
@@ -114,7 +103,7 @@ TEST(RayArray, DoesNotBlockWhereAllRaysStartInOneCell) {
   const int n = 16;
   Pair pair("gallery", n);
   pair.make_lively();
-  std::vector<RayStart> starts = pair.random_starts(9);
+  std::vector<RayStart> starts = random_starts(9, n);
   for (RayStart& start : starts) start.origin = rays::kPlaceOne * glm::ivec3(n / 2, n / 2, 12);
   for (const int queue : {1, 4}) {
     const RayTraffic traffic = pair.compare(3, queue, &starts);
