@@ -4,6 +4,8 @@
 #include <assimp/version.h>
 #include <fmt/format.h>
 
+#include "commit.h"
+
 namespace rc2 {
 
 std::string source_commit() { return RC2_COMMIT; }

@@ -6,7 +6,7 @@
 
 namespace rc2 {
 
-/// The state of the source code: git describe of the last configuration, or "unknown".
+/// The commit of the source code (sim/commit.cmake), or "unknown".
 std::string source_commit();
 
 /// Name and version of what this program was made with.
