@@ -276,7 +276,9 @@ package rc2_pkg;
   localparam int unsigned MatrixW = ClassM * ClassM;    // a bit for each U class and V class
   localparam int unsigned BoundsW = ClassM * DistanceW;  // a distance for each class
   localparam int unsigned WeightsW = ClassM * ExtentW;   // a number of targets for each class
-  localparam int unsigned RUNS = 6;                      // runs of stops that a cell keeps at hand
+  // Runs of stops that a cell keeps at hand. Longer columns have more; with six at N = 256, beams above the
+  // sixth ask each column on their way anew (docs/light.md).
+  localparam int unsigned RUNS = (N > 128) ? 8 : 6;
   // L/2k, rounded up: times an odd number up to 2N-1 it is right to less than 1/2N.
   localparam int unsigned RatioF = 2 * CoordW + 3;
   localparam int unsigned RatioW = DistanceW - 1 + RatioF;

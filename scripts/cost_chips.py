@@ -50,12 +50,13 @@ def energy(found):
     for of in found["lights"]:
         ticks = (of["cycles"] + 1) * cells  # and the one that starts it
         data, clock = of["data_pj"] * ticks / 1e6, of["clock_pj"] * ticks / 1e6
-        gated = data + clock * of["duty"]
+        gated, by_unit = data + clock * of["duty"], data + clock * of["unit_duty"]
         rows.append((of["scene"], of["machine"], of["cycles"], f"{of['switches']:.1f}", f"{of['data_pj']:.2f}", f"{of['clock_pj']:.2f}",
                      f"{100 * of['duty']:.1f} %", f"{data + clock:.2f}", f"{gated:.2f}", f"{100 * (1 - gated / (data + clock)):.0f} %",
-                     of["beams"], f"{1e6 * gated / of['beams']:.0f}" if of["beams"] else "–"))
+                     f"{100 * of['unit_duty']:.1f} %", f"{by_unit:.2f}", f"{100 * (1 - by_unit / (data + clock)):.0f} %", of["beams"], f"{1e6 * gated / of['beams']:.0f}" if of["beams"] else "–"))
     yield f"## Energy of one light, n = {found['n']}, L = {found['L']}, FA = {found['fa']}"
     yield ""
     yield from table(("scene", "light", "cycles", "switches a cell and cycle", "pJ a cell and cycle, all but the clock", "its clock, pJ",
-                      "duty of a cell", "µJ, clock always on", "µJ, clock gated cell by cell", "saved by that", "beams served",
+                      "duty of a cell", "µJ, clock always on", "µJ, clock gated cell by cell", "saved by that",
+                      "duty of a register's unit", "µJ, clock gated unit by unit", "saved by that", "beams served",
                       "pJ a beam, gated"), rows)

@@ -4,14 +4,13 @@ Of ECP5 and Xilinx 7 there are only Yosys's counts: Debian has no place and rout
 library in particular are counted here too, by Yosys's number of transistors for each.
 """
 
-import hashlib
 import itertools
 import json
 import os
 import re
 import subprocess
 
-from synthesis import run
+from synthesis import run, short_hash
 
 # Synthesis; cells that are look-up tables, with what each counts for; flip-flops; blocks of memory;
 # multipliers. Memory in look-up tables counts with them, as much as it takes.
@@ -27,9 +26,8 @@ HX8K_PINS = 32  # among which the inputs are dealt out
 
 
 def base(design, folder, *words):
-    """Where a run keeps its files, until a source or a macro changes."""
-    text = "".join((*design.reading(), *words, *(open(path).read() for path in design.sources())))
-    return os.path.join(folder, f"{design.top}-{hashlib.sha1(text.encode()).hexdigest()[:12]}")
+    """Where a run keeps its files, until the design or the words change."""
+    return os.path.join(folder, f"{design.top}-{short_hash(''.join((*words, design.content)))}")
 
 
 def yosys(design, at, script):

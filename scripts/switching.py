@@ -31,12 +31,18 @@ def pins_of_cells():
     return found
 
 
+def unit(net):
+    """The instance that a net is in: "u_side_lane.u_straight", or "" of the cell's own."""
+    return net.rpartition(".")[0]
+
+
 @dataclasses.dataclass
 class Count:
     """Of the cycle that starts a light and its cycles, over all cells that were replayed."""
 
     cycles: int = 0
     active: int = 0  # cycles in which a register changed
+    clocked: int = 0  # registers in units of which one changed, summed over the cycles
     switches: int = 0
     data: float = 0.0  # pJ of all nets but the clock
 
@@ -45,7 +51,7 @@ class Count:
 
     def found(self, gates):
         """Per cell and cycle."""
-        return {"duty": self.active / self.cycles, "switches": self.switches / self.cycles, "data_pj": self.data / self.cycles,
+        return {"duty": self.active / self.cycles, "unit_duty": self.clocked / self.cycles / len(gates.registers), "switches": self.switches / self.cycles, "data_pj": self.data / self.cycles,
                 "clock_pj": gates.clock, "registers": len(gates.registers), "nets": len(gates.cost)}
 
 
@@ -107,6 +113,7 @@ class Gates:
 
     def count(self, waves, cycles):
         found, nets, level, active = Count(cycles + 1), {}, {}, set()
+        sizes = collections.Counter(unit(net) for net in self.registers)
         with open(waves) as file:
             for line in file:
                 words = line.split()
@@ -122,9 +129,10 @@ class Gates:
                             found.switches += 1
                             found.data += self.cost[net]
                             if net in self.registers:
-                                active.add(now)
+                                active.add((now, unit(net)))
                     level[code] = bits
-        found.active = len(active)
+        found.active = len({now for now, _ in active})
+        found.clocked = sum(sizes[of] for _, of in active)
         return found
 
 

@@ -10,6 +10,7 @@ import json
 import os
 import re
 import subprocess
+import tempfile
 
 LIBRARY = "/usr/share/qflow/tech/osu018/osu018_stdcells.lib"
 NAND2 = 24.0  # um2 of NAND2X1, the gate of a gate equivalent
@@ -20,6 +21,10 @@ STEADY = ("light_i", "x_i", "y_i", "step_i", "dx_i", "dy_i", "at_i", "distance_i
 # Counts of targets: both machines know when light ends without them, and lanes have none of them
 # with RC2_COUNTS=0.
 INSTRUMENTS = {"rc2_cell_thesis": ("u_tally", "u_arrivals")}
+
+
+def short_hash(text):
+    return hashlib.sha1(text.encode()).hexdigest()[:12]
 
 
 def run(words, folder):
@@ -33,15 +38,31 @@ def run(words, folder):
 class Design:
     """One module of the machine, synthesised with the given macros; modules in `apart` stay boxes.
 
-    The netlist stays in `folder` until a source, a macro or the script changes.
+    The netlist stays in `folder` as long as what Yosys elaborates and the script are the same: an edit
+    of a comment, or of what is not part of this module, asks for no synthesis.
     """
 
     def __init__(self, root, folder, top, macros, apart=()):
         self.root, self.top, self.apart = root, top, apart
         self.macros = macros
         self.script = self.commands()
+        self.content = self.elaborated(folder)
+        self.base = os.path.join(folder, f"{top}-{short_hash(self.script + self.content)}")
+
+    def elaborated(self, folder):
+        """What the module is before synthesis, as a hash that does not depend on places in the sources. It is kept, too."""
         text = self.script + "".join(open(path).read() for path in self.sources())
-        self.base = os.path.join(folder, f"{top}-{hashlib.sha1(text.encode()).hexdigest()[:12]}")
+        kept = os.path.join(folder, f"{self.top}-{short_hash(text)}.elaborated")
+        if not os.path.exists(kept):
+            with tempfile.NamedTemporaryFile("r", suffix=".il") as file:
+                run(["yosys", "-q", "-p", "; ".join([*self.reading(), f"write_rtlil {file.name}"])], self.root)
+                found = file.read()
+            found = re.sub(r"^(autoidx|\s*attribute \\(src|module_src)) .*\n", "", found, flags=re.MULTILINE)
+            numbers = {}
+            found = re.sub(r"\$[^\s\[\]]*\$\d+", lambda name: f"${numbers.setdefault(name[0], len(numbers))}", found)
+            with open(kept, "w") as file:
+                file.write(short_hash(found))
+        return open(kept).read()
 
     def sources(self):
         found = (os.path.join(at, name) for at, _, names in os.walk(f"{self.root}/rtl") for name in names)

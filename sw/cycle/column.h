@@ -25,6 +25,9 @@ class Columns {
  public:
   explicit Columns(int n);
 
+  /// Voxels of a column.
+  int n() const { return n_; }
+
   /// n*n.
   std::size_t size() const { return voxels_.size(); }
 

@@ -90,7 +90,7 @@ LightResult LaneArray::run(const LightJob& job, const QueueObserver& observer,
 
 // Cycles in which nothing may move: until the classes of the farthest cells are there, and a table
 // is filled.
-std::int64_t LaneArray::longest_wait() const { return std::int64_t{2} * n_ + StopTable::kRuns + 8; }
+std::int64_t LaneArray::longest_wait() const { return std::int64_t{2} * n_ + table_runs(n_) + 8; }
 
 void LaneArray::report_deadlock(std::int64_t cycle) const {
   std::string cells;

@@ -18,15 +18,16 @@ int Slope::offset(int target) const {
 
 void StopTable::fill(const Columns& columns, std::size_t column, const Slope& slope, int source_z,
                      int first, int last, std::int64_t cycle) {
+  const int most = table_runs(columns.n());
   count_ = 0;
   known_ = {slope.lowest(first - source_z), slope.distance};
   int z = columns.next_stop(column, first);
-  while (z <= last && count_ < kRuns) {
+  while (z <= last && count_ < most) {
     const int end = columns.next_passage(column, z);
     runs_[static_cast<std::size_t>(count_++)] = slope.between(z - source_z, end - 1 - source_z);
     z = columns.next_stop(column, end);
   }
-  if (z <= last) known_.max = runs_[kRuns - 1].max;
+  if (z <= last) known_.max = runs_[static_cast<std::size_t>(count_ - 1)].max;
   ready_ = cycle + 2 + count_;
 }
 

@@ -31,12 +31,13 @@ struct Slope {
   int offset(int target) const;
 };
 
+/// How many runs a table holds, of columns of n voxels (rtl/rc2_pkg.sv).
+constexpr int table_runs(int n) { return n > 128 ? 8 : 6; }
+
 /// A few runs of stopping voxels as intervals of targets, in order: what a beam needs to know of
 /// the column. A column with more runs has its table filled anew where a beam asks for it.
 class StopTable {
  public:
-  static constexpr int kRuns = 6;
-
   /// The runs from voxel `first` on, up to voxel `last`. In RTL the first cycle finds a run, each
   /// later one the targets of a run and the next run; the table can be used in the cycle after.
   void fill(const Columns& columns, std::size_t column, const Slope& slope, int source_z, int first,
@@ -55,7 +56,7 @@ class StopTable {
   Passage pass(Targets targets) const;
 
  private:
-  std::array<Targets, kRuns> runs_;
+  std::array<Targets, 8> runs_;
   int count_ = 0;
   Targets known_{0, -1};
   std::int64_t ready_ = 0;

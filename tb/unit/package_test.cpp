@@ -43,8 +43,11 @@ TEST(Classes, AreAsManyAsTheHardwareHasRoomFor) {
 TEST(StopTable, IsAsLongAsInTheHardware) {
   std::smatch found;
   const std::string text = package();
-  ASSERT_TRUE(std::regex_search(text, found, std::regex(R"(RUNS = (\d+);)")));
-  EXPECT_EQ(std::stoi(found[1]), StopTable::kRuns);
+  ASSERT_TRUE(
+      std::regex_search(text, found, std::regex(R"(RUNS = \(N > (\d+)\) \? (\d+) : (\d+);)")));
+  const int side = std::stoi(found[1]);
+  EXPECT_EQ(std::stoi(found[2]), table_runs(side + 1));
+  EXPECT_EQ(std::stoi(found[3]), table_runs(side));
 }
 
 // All named codes of the package: "localparam logic [2:0] KindHead = 3'd0;" and so on.
