@@ -58,14 +58,17 @@ module rc2_column (
   assign occupied_o = occupied_q;
 
   // ---- Readback: which word ----------------------------------------------------------------------
-  logic reading_q, fetched_q, done_q, none_q;
-  logic [N-1:0] todo_q, first;
+  logic reading_q, fetched_q, done_q, any;
+  logic [N-1:0] todo_q, rest;
   logic [CoordW-1:0] first_z;
-  assign first = todo_q & (~todo_q + 1'b1);
-  always_comb begin
-    first_z = '0;
-    for (int i = 0; i < N; i++) if (first[i]) first_z = first_z | CoordW'(i);
-  end
+  rc2_first #(
+      .Width(N)
+  ) u_first (
+      .bits_i (todo_q),
+      .found_o(any),
+      .index_o(first_z)
+  );
+  assign rest = todo_q & ~(N'(1) << first_z);
 
   // ---- Owner ---------------------------------------------------------------------------------------
   rc2_ram #(
@@ -144,8 +147,8 @@ module rc2_column (
   assign read_done_o = done_q;
 
   always_comb begin
-    data_o.last  = none_q || (todo_q == first);
-    data_o.empty = none_q;
+    data_o.last  = (rest == 0);
+    data_o.empty = !any;
     data_o.z     = first_z;
     case (read_what_i)
       rc2_pkg::ReadVoxels: data_o.value = ValueW'(owner_o);
@@ -156,7 +159,7 @@ module rc2_column (
       default:             data_o.value = (first_z == 0) ? visits_i : ValueW'(history_i);
     endcase
     // What no voxel has written is unknown, and nothing unknown may leave the machine.
-    if (none_q) data_o.value = '0;
+    if (!any) data_o.value = '0;
   end
 
   always_ff @(posedge clk_i) begin
@@ -176,9 +179,8 @@ module rc2_column (
     end
     if (read_i && !reading_q) begin
       todo_q <= wanted;
-      none_q <= (wanted == 0);
     end else if (sent) begin
-      todo_q <= todo_q & ~first;
+      todo_q <= rest;
     end
   end
 

@@ -36,13 +36,16 @@ module rc2_prepare (
   localparam logic [DepthW-1:0] Half = DepthW'(1) << (rc2_pkg::GapFractionW - 1);
 
   // ---- Which voxel -----------------------------------------------------------------------------
-  logic [N-1:0] todo_q, first;
+  logic [N-1:0] todo_q;
   logic [CoordW-1:0] z;
-  assign first = todo_q & (~todo_q + 1'b1);
-  always_comb begin
-    z = '0;
-    for (int i = 0; i < N; i++) if (first[i]) z = z | CoordW'(i);
-  end
+  logic any;
+  rc2_first #(
+      .Width(N)
+  ) u_first (
+      .bits_i (todo_q),
+      .found_o(any),
+      .index_o(z)
+  );
   assign addr_o = z;
 
   // ---- The light's height over the plane -------------------------------------------------------
@@ -102,8 +105,8 @@ module rc2_prepare (
       read_q  <= 1'b0;
       judge_q <= 1'b0;
     end else begin
-      todo_q  <= start_i ? occupied_i | guard_i : todo_q & ~first;
-      read_q  <= (todo_q != 0);
+      todo_q  <= start_i ? occupied_i | guard_i : todo_q & ~(N'(1) << z);
+      read_q  <= any;
       judge_q <= read_q;
     end
     z_q        <= z;
@@ -125,7 +128,7 @@ module rc2_prepare (
     for (int i = 0; i < N; i++) own[i] = (dx == 0) && (dy == 0) && (light_i.zs == CoordW'(i));
   end
   assign stops_o = stops_q & ~own;
-  assign busy_o = (todo_q != 0) || read_q || judge_q;
+  assign busy_o = any || read_q || judge_q;
 
   // Contract: a guard is not occupied; one start at a time.
   always_ff @(posedge clk_i) begin

@@ -12,18 +12,29 @@ module rc2_run (
   localparam int unsigned N = rc2_pkg::N;
   localparam int unsigned CountW = rc2_pkg::CountW;
 
-  logic [N-1:0] above, start;
-  logic [N:0] free, stop;
+  localparam int unsigned CoordW = rc2_pkg::CoordW;
+  logic [N-1:0] above, last;  // the last voxel of a run
+  logic [CoordW-1:0] first;
   assign above = stops_i & ({N{1'b1}} << from_i);
-  assign start = above & (~above + 1'b1);
-  // Adding the run's first bit carries through the run to the first free voxel.
-  assign free = {1'b0, above} + {1'b0, start};
-  assign stop = free & ~{1'b0, above};
-  assign found_o = (above != 0);
-  always_comb begin
-    first_o = '0;
-    end_o   = '0;
-    for (int i = 0; i < N; i++) if (start[i]) first_o = first_o | CountW'(i);
-    for (int i = 0; i <= N; i++) if (stop[i] && found_o) end_o = end_o | CountW'(i);
-  end
+  assign last = above & ~(stops_i >> 1);
+  // Both at once: of the runs that are not yet over at from_i the first to begin is the first to end.
+  rc2_first #(
+      .Width(N)
+  ) u_first (
+      .bits_i (above),
+      .found_o(found_o),
+      .index_o(first)
+  );
+  logic ends;
+  rc2_first #(
+      .Width(N + 1)
+  ) u_end (
+      .bits_i ({last, 1'b0}),
+      .found_o(ends),
+      .index_o(end_o)
+  );
+  assign first_o = CountW'(first);
+
+  // Contract: what begins ends.
+  always_comb assert (ends == found_o);
 endmodule

@@ -16,10 +16,9 @@ module column_points (
     input logic [           2:0] read_what_i,
     input logic                  read_i,
     input logic                  reading_q,
-    input logic                  none_q,
+    input logic                  any,
     input logic                  fetched_q,
-    input logic [rc2_pkg::N-1:0] todo_q,
-    input logic [rc2_pkg::N-1:0] first,
+    input logic [rc2_pkg::N-1:0] rest,
     input logic                  data_ready_i
 );
   for (genvar what = 0; what < 5; what++) begin : g_read
@@ -31,9 +30,9 @@ module column_points (
     end
     if (what < rc2_pkg::ReadCounters || what == rc2_pkg::ReadLayers) begin : g_voxels
       always_ff @(posedge clk_i) begin
-        empty : cover (here && none_q);
-        a_word : cover (here && !none_q && todo_q != first);
-        last_word : cover (here && !none_q && todo_q == first);
+        empty : cover (here && !any);
+        a_word : cover (here && any && rest != 0);
+        last_word : cover (here && any && rest == 0);
       end
     end
   end
