@@ -30,6 +30,7 @@ class Proof:
     macros: tuple = ()  # of rc2_pkg
     stubs: tuple = ()  # files of tb/formal that stand for units of rtl/
     abc: bool = False  # put to ABC, which bears more gates than z3; bounded only
+    bits: bool = False  # put to z3 as gates
     fast: bool = True  # also a test of make test
 
     @property
