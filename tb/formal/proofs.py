@@ -99,6 +99,11 @@ PROOFS = [
             "rc2_ray_run", "all inputs",
             Fault("rays/rc2_ray_run.sv", "(far < $signed(FloorW'(from)))", "(far > $signed(FloorW'(from)))"), macros=size,
             fast=size == RAYS) for size in (RAYS, (("N", 16),), (("N", 128),))),
+    Proof("ray_net_keeps", "of any message as many are there as came and did not go; it goes its way, x first, where is room",
+          "rc2_ray_net", "induction",
+          Fault("rays/rc2_ray_net.sv", "assign start_taken[w] = sent[Starts+w] || begins[w];",
+                "assign start_taken[w] = sent[Starts+w];"), 2, reach=6,
+          macros=RAYS, stubs=("ray_cell",), bits=True, fast=False),
     *(Proof("ray_net_moves", "while there are rays one moves, whatever engines and homes do", "rc2_ray_net", "induction",
             Fault("rays/rc2_ray_net.sv", "(starts != 0) ? starts : able;", "(starts != 0) ? starts : starts;"), 2, reach=8,
             params=(("Side", side),), macros=RAYS, stubs=("ray_cell",), bits=True, fast=False)
