@@ -31,10 +31,7 @@ module ray_cell #(
     input  logic [4*LinkRoomW-1:0] room_i,
     output logic                   has_any_o,  // there is a message or a ray
     output logic                   moves_o,    // and one of them moves, or the engine or the home can move it
-    output logic                   sound_o,    // what never fails in a state that can be reached
-    output logic [            4:0] rays_o,     // so many rays are here, in any form
-    output logic [            1:0] begin_o,    // so many begin to be: from the home, and new ones
-    output logic                   end_o       // an answer is home
+    output logic                   sound_o     // what never fails in a state that can be reached
 );
   localparam int unsigned DirW = rc2_pkg::DirW;
   localparam int unsigned PlaceW = rc2_pkg::PlaceW;
@@ -240,10 +237,4 @@ module ray_cell #(
       \u_net.g_ray[1].u_queue.tail_q , \u_net.g_ray[0].u_queue.tail_q };
   assign sound_o = (probed & ~\u_net.has [7:0]) == 0 && pointers == 0 &&
                    held_q <= Held && (launch_room || !begun_q) && strays == 0;
-  always_comb begin
-    rays_o = 5'(spawned) + 5'(begun_q) + 5'(held_q);
-    for (int i = 0; i < 19; i++) rays_o = rays_o + 5'(\u_net.has [i]);
-  end
-  assign begin_o = 2'(sends) + 2'(spawn);
-  assign end_o = (arrived_taken != 0);
 endmodule

@@ -82,10 +82,7 @@ module ray_net_keeps #(
       .room_i   (room_i),
       .has_any_o(),
       .moves_o  (),
-      .sound_o  (sound),
-      .rays_o   (),
-      .begin_o  (),
-      .end_o    ()
+      .sound_o  (sound)
   );
 
   // ---- Any one message: of a kind (a quadrant's rays, answers, starts), with a tag, to a place -----------------

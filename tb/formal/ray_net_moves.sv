@@ -23,7 +23,8 @@ module ray_net_moves #(
   logic rst_ni = 1'b0;
   always_ff @(posedge clk_i) rst_ni <= 1'b1;
 
-  // Links by the cell that they leave, and room by the cell that has it; around the array lies nothing.
+  // Links by the cell that they leave, and room by the cell that has it; around the array lies nothing. (Yosys
+  // 0.23 misreads `c ? x : W'(0)` within braces in a loop, so the zeros are repeated bits.)
   logic [4*Cells*LinkW-1:0] out;
   logic [4*Cells*LinkRoomW-1:0] room;
   logic [Cells-1:0] has_any, moves, sound;
@@ -64,10 +65,7 @@ module ray_net_moves #(
           .room_i   (room_in),
           .has_any_o(has_any[I]),
           .moves_o  (moves[I]),
-          .sound_o  (sound_cell),
-          .rays_o   (),
-          .begin_o  (),
-          .end_o    ()
+          .sound_o  (sound_cell)
       );
       (* hierconn *) wire [18:0] \u_cell.u_net.has ;
       (* hierconn *) wire [94:0] \u_cell.u_net.wish ;

@@ -62,7 +62,7 @@ std::set<std::string> files() {
 // Commands that take long, however little they are asked for.
 bool is_long(const std::string& command) {
   return command == "thesis" || command == "network" || command == "leaks" ||
-         command == "load-speed";
+         command == "load-speed" || command == "tunnels";
 }
 
 // What makes a small job of a few words: a size and, unless it is left out to see what happens,

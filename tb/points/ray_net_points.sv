@@ -87,7 +87,6 @@ module ray_net_points (
       begun_ray_waits_for_the_one_before : cover (spawned_o && !launch_room_o);
       own_answer_waits : cover (answer_i && !answer_taken_o);
       own_answer_is_home : cover (arrived_taken_i[4]);
-      two_answers_arrive : cover ((arrived_o & (arrived_o - 1'b1)) != 0);
       home_sends : cover (home_taken_o);
       home_waits : cover (home_i && !home_taken_o);
       fewer_places_than_built : cover (launch_i && limits_i.places < rc2_pkg::RayCountW'(rc2_pkg::RAYQ));
