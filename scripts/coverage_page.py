@@ -9,8 +9,8 @@ import verilated_coverage as verilated
 HEAD = """# Coverage
 
 What the tests go through, of RTL and of C++. `make coverage` builds all of it anew with counters in a folder of
-its own, runs the tests that watch single units, the arrays of n = 4 and 5, the SystemC benches and the software's own
-tests, and writes this page and `out/coverage/index.html`, where every line, branch, toggle and point can be looked at.
+its own, runs the tests that watch single units, the arrays of n = 4 and 5, that with rays of n = 4, the SystemC benches
+and the software's own tests, and writes this page and `out/coverage/index.html`, where every line, branch, toggle and point can be looked at.
 Coverage says what was never tried, not what is right; whether the tests would notice is
 [what mutation tells](mutation.md).
 
@@ -19,7 +19,7 @@ Coverage says what was never tried, not what is right; whether the tests would n
 - **Toggle**: a bit of a signal that has changed. Watched in the units that have a test of their own, in the thesis's cell
   in its SystemC bench (n = 8) and in the whole array in lanes of n = 4.
 - **Functional point**: something that a test must have seen, one `cover` each in `tb/points`, bound to its unit. All are
-  to be reached in the arrays of n = 4 and 5 and in the benches; `make test` checks it (`rtl.points`).
+  to be reached in these arrays and in the benches; `make test` checks it (`rtl.points`).
 
 On the HTML page a functional point is a "function", and RTL's toggles count as branches.
 """

@@ -14,7 +14,7 @@ from sv_walk import Walk
 
 Mutant = collections.namedtuple("Mutant", "number unit line before after")  # before, after: the statement
 SWAPS = {"+": "-", "-": "+", "<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "!=", "!=": "==", "&&": "||", "||": "&&",
-         "&": "|", "|": "&", "^": "&", "<<": ">>", ">>": "<<"}
+         "&": "|", "|": "&", "^": "&", "<<": ">>", ">>": "<<", "<<<": ">>>", ">>>": "<<<"}
 CHOICE = r'$c32("std::getenv(\"RC2_MUTANT\") == nullptr ? 0 : std::atoi(std::getenv(\"RC2_MUTANT\"))")'
 OPERAND_ENDS = re.compile(r"[\w$')\]}]")  # a binary operator stands after one
 

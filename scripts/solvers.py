@@ -16,6 +16,9 @@ FLAT = ("proc; memory_map; flatten; setundef -anyseq; opt; wreduce; opt_clean; a
 GATES = ("chformal -assert -skip 1; write_rtlil model.il; techmap; opt -fast; abc -g AND -fast; opt_clean; "
          "dffunmap; simplemap; aigmap; write_aiger -I -B -zinit -no-startoffset -map model.aim model.aig")
 
+# The same for z3: gates, so that bits that nobody looks at are gone.
+BITS = "techmap; opt -fast; abc -g AND -fast; opt_clean; dffunmap; simplemap; opt_clean; write_smt2 -wires model.smt2"
+
 
 class Disproved(Exception):
     """What stands against a proof: an assertion that can fail, or no answer."""
@@ -40,7 +43,7 @@ def read(folder, rtl, proof):
     search = " ".join(f"-libdir {level}" for level in (rtl, *sorted(glob.glob(f"{rtl}/*/"))))
     script = (f"read_verilog -sv -formal {macros} {rtl}/rc2_pkg.sv {' '.join(files)}; {params} "
               f"hierarchy -check -top {proof.checker} {search}; {FLAT}; "
-              f"{GATES if proof.abc else 'write_smt2 -wires model.smt2'}")
+              f"{GATES if proof.abc else BITS if proof.bits else 'write_smt2 -wires model.smt2'}")
     done = run(["yosys", "-q", "-w", "^Replacing memory", "-e", ".", "-p", script], folder, "yosys.txt")
     if done.returncode:
         raise SystemExit(f"scripts/formal: yosys cannot read {proof.checker}: {done.stdout}{done.stderr}")

@@ -10,7 +10,7 @@ import re
 
 Token = collections.namedtuple("Token", "text start end")
 TOKEN = re.compile(r"(?P<skip>\s+|//[^\n]*|/\*.*?\*/)|\d*'s?[bdh][0-9a-fA-F_]+|'[01]|\d+|[A-Za-z_$][\w$]*|"
-                   r"<<|>>|<=|>=|==|!=|&&|\|\||\+:|-:|::|.", re.DOTALL)
+                   r"<<<|>>>|<<|>>|<=|>=|==|!=|&&|\|\||\+:|-:|::|.", re.DOTALL)
 
 
 class Walk:

@@ -4,6 +4,7 @@ from prove import Fault, Proof
 
 SMALL = (("N", 4), ("LMAX", 8))
 USUAL = (("N", 16), ("LMAX", 64))
+RAYS = (("N", 3), ("F", 0), ("RAYS", 1), ("RAYDEPTH", 1), ("RAYQ", 1))
 LARGE = (("N", 64), ("LMAX", 256))
 
 PROOFS = [
@@ -81,6 +82,31 @@ PROOFS = [
           Fault("light/rc2_arrivals.sv", "bypass_q ? bypass_count_q : count_read", "count_read"), 2, macros=SMALL),
     Proof("pace_steps", "the light goes on until the farthest face or until no cell has any; layers by step", "rc2_pace",
           "induction", Fault("lanes/rc2_pace.sv", "idle_i && (step_q != 0)", "idle_i"), 2, macros=USUAL),
+    # Rays
+    *(Proof("ray_queue_order", "same rays, same order as a queue that shifts; the oldest is what it was probed to",
+            "rc2_ray_queue", "induction",
+            Fault("rays/rc2_ray_queue.sv", "if (pop_i) probed_q <= 1'b0;", "if (pop_i) probed_q <= probed_q;"), 2,
+            params=(("Depth", depth),), macros=RAYS)
+      for depth in (1, 2, 3, 4)),
+    Proof("ray_way_nearer", "one way or there, each step nearer by a cell, x first", "rc2_ray_way", "all inputs",
+          Fault("rays/rc2_ray_way.sv", "assign way_o[2] = valid_i && same_x", "assign way_o[2] = valid_i"), macros=USUAL),
+    Proof("divide_exact", "the quotient and whether there is a rest, or all ones", "rc2_divide", "bounded",
+          Fault("parts/rc2_divide.sv", "up_q >> 1);", "up_q);"), 9,
+          params=(("NumW", 8), ("DivW", 4), ("QuotW", 6))),
+    Proof("root_exact", "the root, rounded down", "rc2_root", "bounded",
+          Fault("parts/rc2_root.sv", "{root_q, 2'b01}", "{root_q, 2'b10}"), 9, params=(("RootW", 6),)),
+    *(Proof("ray_run_voxels", "the voxels from where a ray came in to where it leaves, the next one first",
+            "rc2_ray_run", "all inputs",
+            Fault("rays/rc2_ray_run.sv", "(far < $signed(FloorW'(from)))", "(far > $signed(FloorW'(from)))"), macros=size,
+            fast=size == RAYS) for size in (RAYS, (("N", 16),), (("N", 128),))),
+    Proof("ray_net_keeps", "of any message as many are there as came and did not go; it goes its way, x first, where is room",
+          "rc2_ray_net", "induction",
+          Fault("rays/rc2_ray_net.sv", "assign start_taken[w] = sent[Starts+w] || begins[w];",
+                "assign start_taken[w] = sent[Starts+w];"), 2, reach=6,
+          macros=RAYS, stubs=("ray_cell",), bits=True, fast=False),
+    Proof("ray_net_moves", "while there are rays one moves, whatever engines and homes do", "rc2_ray_net", "induction",
+          Fault("rays/rc2_ray_net.sv", "(starts != 0) ? starts : able;", "(starts != 0) ? starts : starts;"), 2, reach=8,
+          params=(("Side", 2),), macros=RAYS, stubs=("ray_cell",), bits=True, fast=False),
     # The whole array
     Proof("thesis_light_ends", "no target is lost, the light ends, all targets are home then and not before",
           "rc2_grid_thesis", "bounded", Fault("light/rc2_diffuser.sv", "assign own_push = go && own;",

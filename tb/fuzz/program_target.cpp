@@ -61,21 +61,25 @@ std::set<std::string> files() {
 
 // Commands that take long, however little they are asked for.
 bool is_long(const std::string& command) {
-  return command == "thesis" || command == "network" || command == "leaks";
+  return command == "thesis" || command == "network" || command == "leaks" ||
+         command == "load-speed" || command == "tunnels";
 }
 
-// What makes a job of a few words: what is required and a small size, unless they are there.
-void complete(const std::vector<const CLI::Option*>& options, std::vector<std::string>& words) {
+// What makes a small job of a few words: a size and, unless it is left out to see what happens,
+// what is required.
+void complete(const std::vector<const CLI::Option*>& options, bool with_required,
+              std::vector<std::string>& words) {
   const auto named = [&](const std::string& word) {
     return std::find(words.begin(), words.end(), word) != words.end();
   };
   for (const CLI::Option* option : options) {
     const bool is_place = option->get_lnames().empty();
     const std::string name = is_place ? "" : "--" + option->get_lnames().front();
-    if (is_place && option->get_required()) words.insert(words.begin() + 2, "ball:2");
+    const bool wants = with_required && option->get_required();
+    if (is_place && wants) words.insert(words.begin() + 2, "ball:2");
     if (is_place || named(name)) continue;
     if (name == "--n") words.insert(words.end(), {name, "8"});
-    if (option->get_required()) words.insert(words.end(), {name, "a.csv"});
+    if (wants) words.insert(words.end(), {name, "a.csv"});
   }
 }
 
@@ -97,7 +101,7 @@ std::vector<std::string> make_words(Bytes& bytes) {
       words.push_back("--" + option->get_lnames().front());
     if (choice != 1) words.push_back(value);
   }
-  if (is_complete) complete(options, words);
+  complete(options, is_complete, words);
   return words;
 }
 
