@@ -24,7 +24,6 @@ constexpr std::int64_t kPatience = 1000;
 
 RayArray::RayArray(int n, const Columns& columns, const RayJob& job)
     : n_(n),
-      columns_(columns),
       job_(job),
       queues_(static_cast<std::size_t>(n) * n, job.queue),
       cells_(static_cast<std::size_t>(n) * n),

@@ -68,7 +68,6 @@ class RayArray {
   glm::ivec2 place(std::size_t cell) const;
 
   int n_;
-  const Columns& columns_;
   const RayJob& job_;
   RayQueues queues_;
   std::vector<Cell> cells_;

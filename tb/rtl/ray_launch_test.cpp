@@ -13,6 +13,8 @@ constexpr int kRounds = 4000;
 
 class RayLaunch : public ::testing::Test {
  protected:
+  RayLaunch() { unit_.top.take_i = unit_.top.leave_i = 0; }
+
   Clocked<Vtop> unit_;
   scene::Random random_{1};
 };
