@@ -26,8 +26,8 @@
 ##   bench     run time against error, also of what one would take instead of the machine; at most 15
 ##             minutes, FULL=1 hours; goes on where it was interrupted
 ##   report    report/index.html: pictures, plots, tables, a 3D view and the wave of light on one page
-##   bench-render  rendering: what rays and pictures differ from the continuous scene, cycles of the
-##             network, as the docs show them
+##   bench-render  rendering: what rays and pictures differ from the continuous scene, as the docs show it
+##   bench-rays  rendering: the cycles of cells and network, as the docs show them
 ##   area      what a cell costs: area, clock, area times time, FPGAs, energy of a light, as the docs show it
 ##   test      every test; the last line is their summary
 ##   coverage  lines, branches, toggles and functional points that the tests go through, RTL and C++:
@@ -110,7 +110,7 @@ cmake_build := cmake --build build -j $(jobs) --target
 test_sizes := 4 5 8 16
 known_sizes := 2 3 $(test_sizes) 32
 
-.PHONY: help setup build coverage mutation sim thesis chapter2 chapter4 chapter5 bench-load bench-diffusion bench-rtl bench-light bench-render bench report area oracle stress fuzz netlist bus systemc formal test lint sanitize rtl format clean
+.PHONY: help setup build coverage mutation sim thesis chapter2 chapter4 chapter5 bench-load bench-diffusion bench-rtl bench-light bench-render bench-rays bench report area oracle stress fuzz netlist bus systemc formal test lint sanitize rtl format clean
 .NOTPARALLEL:
 
 help:
@@ -217,6 +217,9 @@ report: build
 
 bench-render: build
 	@scripts/bench-render '$(OUT)/bench-render'
+
+bench-rays: build
+	@scripts/bench-rays '$(OUT)/bench-rays'
 
 test: build/build.ninja
 	$(cmake_build) all $(test_sizes:%=rtl_n%) $(test_sizes:%=rtl_thesis_n%)

@@ -345,11 +345,15 @@ package rc2_pkg;
   // |N|^2 * 2^(2 DirFracW), below 2^22 times that, and its root.
   localparam int unsigned RootW = SlopeFormFracW + 1 + DirFracW;
 
-  // What the arithmetic of a cell is asked for (rc2_ray_unit).
-  localparam logic [1:0] OpLaunch = 2'd0;
-  localparam logic [1:0] OpMeet = 2'd1;
-  localparam logic [1:0] OpReflect = 2'd2;
-  localparam logic [1:0] OpRefract = 2'd3;
+  // Bits of a quotient or a root in a cycle: as many as the slowest unit of a cell leaves time for. A slope's
+  // divisor is narrow.
+  localparam int unsigned RiseStep = 4;
+  localparam int unsigned MeetStep = 2;
+  localparam int unsigned BendStep = 2;
+  localparam int unsigned RootStep = 2;
+  localparam int unsigned SquareW = 2 * SlopeFormFracW + 2;  // |N|^2: three at most
+  localparam int unsigned AmountW = ApproachW + 3;  // signed: root - ratio * approach
+  localparam int unsigned BentW = DirW + 4;  // signed: a direction times a ratio
 
   // What a facet belongs to: a solid, a room, a sheet (sw/rays/ray.h).
   localparam logic [1:0] BodyRoom = 2'd1;
@@ -421,6 +425,20 @@ package rc2_pkg;
     logic [FaceW-1:0]     face;
   } ray_t;
   localparam int unsigned RayW = StartW + DecisionW + 4 * RiseW + 4 * CoordW + 3 + FaceW;
+
+  // A ray that goes no further: where, and by which plane.
+  typedef struct packed {
+    logic [StartW-1:0] start;
+    logic              escaped;  // it left the cube
+    logic              rescued;  // by the safety net
+    logic [CoordW-1:0] hx;  // voxel in which it stopped
+    logic [CoordW-1:0] hy;
+    logic [CoordW-1:0] hz;
+    logic [CoordW-1:0] vx;  // voxel of the plane
+    logic [CoordW-1:0] vy;
+    logic [CoordW-1:0] vz;
+    logic [FaceW-1:0]  face;
+  } stop_t;
 
   // How a ray has ended.
   typedef struct packed {

@@ -1,5 +1,6 @@
 // How long the network takes to trace rays, and what holds it up (docs/render.md).
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <filesystem>
 #include <memory>
@@ -65,28 +66,38 @@ double ratio(std::int64_t a, std::int64_t b) {
   return b == 0 ? 0 : static_cast<double>(a) / static_cast<double>(b);
 }
 
+// Of what all links could have carried.
+double utilisation(const Row& row) {
+  return ratio(row.traffic.messages, row.traffic.cycles * 4 * row.n * (row.n - 1));
+}
+
 void print(const std::vector<Row>& rows) {
-  fmt::print("{:<16}{:>5}{:>6}{:>6}{:>9}{:>9}{:>9}{:>9}{:>8}{:>10}{:>9}{:>7}\n", "scene", "n",
-             "depth", "queue", "rays", "busiest", "latency", "T", "T/max", "waits/hop", "again %",
-             "stack");
+  fmt::print("{:<12}{:>5}{:>6}{:>6}{:>8}{:>7}{:>7}{:>7}{:>7}{:>7}{:>6}{:>9}{:>7}{:>8}{:>7}{:>8}\n",
+             "scene", "n", "depth", "queue", "rays", "load", "look", "read", "launch", "meet",
+             "link", "latency", "T", "T/max", "link %", "again %");
   for (const Row& row : rows) {
     const RayTraffic& of = row.traffic;
-    fmt::print("{:<16}{:>5}{:>6}{:>6}{:>9}{:>9}{:>9}{:>9}{:>8.2f}{:>10.2f}{:>9.2f}{:>7}\n",
-               row.scene, row.n, row.depth, row.queue, row.counts.total(), of.busiest, of.latency,
-               of.cycles, ratio(of.cycles, std::max(of.busiest, of.latency)),
-               ratio(of.waits, of.hops), 100 * ratio(of.sent_again, row.counts.total()),
-               of.max_stack);
+    const auto& [look, read, launch, meet] = of.work;
+    fmt::print(
+        "{:<12}{:>5}{:>6}{:>6}{:>8}{:>7}{:>7}{:>7}{:>7}{:>7}{:>6}{:>9}{:>7}{:>8.2f}{:>7.2f}{:>8.2f}"
+        "\n",
+        row.scene, row.n, row.depth, row.queue, row.counts.total(), of.load_cycles, look, read,
+        launch, meet, of.busiest_link, of.latency, of.cycles,
+        ratio(of.cycles, std::max(of.busiest(), of.latency)), 100 * utilisation(row),
+        100 * ratio(of.sent_again, row.counts.total()));
   }
 }
 
 std::string to_csv(const std::vector<Row>& rows) {
   std::string csv =
-      "scene,n,depth,queue,rays,probes,busiest,latency,T,hops,waits,run_on,sent_again,max_stack\n";
+      "scene,n,depth,queue,rays,probes,load,look,read,launch,meet,link,latency,T,utilisation,hops,"
+      "waits,run_on,sent_again,max_stack\n";
   for (const Row& row : rows) {
     const RayTraffic& of = row.traffic;
-    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", row.scene, row.n, row.depth,
-                       row.queue, row.counts.total(), row.counts.probes, of.busiest, of.latency,
-                       of.cycles, of.hops, of.waits, of.run_on, of.sent_again, of.max_stack);
+    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{:.5f},{},{},{},{},{}\n", row.scene, row.n,
+                       row.depth, row.queue, row.counts.total(), row.counts.probes, of.load_cycles,
+                       fmt::join(of.work, ","), of.busiest_link, of.latency, of.cycles,
+                       utilisation(row), of.hops, of.waits, of.run_on, of.sent_again, of.max_stack);
   }
   return csv;
 }

@@ -34,10 +34,21 @@ std::string to_json(const RenderReport& report) {
                   {"too_light", counts.too_light}, {"too_deep", counts.too_deep},
                   {"probes", counts.probes},       {"planes", counts.planes}};
   const RayTraffic& traffic = report.result->traffic;
-  json["traffic"] = {{"cycles", traffic.cycles},         {"busiest", traffic.busiest},
-                     {"latency", traffic.latency},       {"hops", traffic.hops},
-                     {"waits", traffic.waits},           {"run_on", traffic.run_on},
-                     {"sent_again", traffic.sent_again}, {"max_stack", traffic.max_stack}};
+  nlohmann::ordered_json work;
+  for (std::size_t stage = 0; stage < kRayStages; ++stage)
+    work[kRayStageNames[stage]] = traffic.work[stage];
+  json["traffic"] = {{"load_cycles", traffic.load_cycles},
+                     {"cycles", traffic.cycles},
+                     {"busiest", traffic.busiest()},
+                     {"busiest_cells", work},
+                     {"latency", traffic.latency},
+                     {"hops", traffic.hops},
+                     {"waits", traffic.waits},
+                     {"run_on", traffic.run_on},
+                     {"sent_again", traffic.sent_again},
+                     {"max_stack", traffic.max_stack},
+                     {"messages", traffic.messages},
+                     {"busiest_link", traffic.busiest_link}};
   json["agrees_with_golden"] = report.agrees;
   json["files"] = report.written;
   return json.dump(2) + "\n";
@@ -66,13 +77,14 @@ std::string to_text(const RenderReport& report) {
   if (report.machine != "golden") {
     const RayTraffic& traffic = report.result->traffic;
     text += fmt::format(
+        "cycles to load them    {}\n"
         "cycles                 {}\n"
-        "busiest cell           {} cycles\n"
+        "busiest cell           {} cycles ({})\n"
         "longest chain          {}\n"
         "began where they were  {}\n"
         "sent from home again   {}\n"
         "agrees with golden     {}\n",
-        traffic.cycles, traffic.busiest,
+        traffic.load_cycles, traffic.cycles, traffic.busiest(), traffic.busiest_stage(),
         report.machine == "rtl" ? "known to the cycle model"
                                 : fmt::format("{} cycles, if nothing waited", traffic.latency),
         traffic.run_on, traffic.sent_again, report.agrees ? "in every hit" : "NO");

@@ -22,8 +22,9 @@ struct RenderReport {
 
 /// Top level: scene, machine, view, light_rule, unused_camera, n, depth, queue, least_weight,
 /// facets, lights, rays {issued [by depth], hits, escaped, rescued, too_light, too_deep, probes,
-/// planes}, traffic {cycles, busiest, latency, hops, waits, run_on, sent_again, max_stack} (zeros
-/// on golden), agrees_with_golden, files.
+/// planes}, traffic {load_cycles, cycles, busiest, busiest_cells {look, read, launch, meet},
+/// latency, hops, waits, run_on, sent_again, max_stack, messages, busiest_link} (zeros on golden),
+/// agrees_with_golden, files.
 std::string to_json(const RenderReport& report);
 
 /// The same for people.

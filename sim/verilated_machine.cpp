@@ -187,6 +187,8 @@ class VerilatedMachine final : public Machine {
     write_register(kRayLimits, ray_limits(job.limits.depth, job.queue, job.limits.least_weight));
     send_rays(job);
     wait_until_idle();
+    RayResult result;
+    result.traffic.load_cycles = read_register(kBusyCycles);
     write_register(kCommand, kCommandTrace);
     // One ray after another could not take longer.
     const std::int64_t longest = (std::int64_t{config_.n} * config_.n << (job.limits.depth + 1)) *
@@ -198,7 +200,6 @@ class VerilatedMachine final : public Machine {
       if (cycle_ - start > longest) throw std::logic_error("the array blocks: rays do not end");
       if (progress) progress("rays", cycle_ - start, 0.5);
     }
-    RayResult result;
     result.traffic.cycles = read_register(kBusyCycles);
     read_hits(result);
     return result;
@@ -391,7 +392,8 @@ class VerilatedMachine final : public Machine {
       counts.planes += record.planes;
       result.traffic.run_on += record.run_on;
       result.traffic.hops += record.hops;
-      result.traffic.busiest = std::max(result.traffic.busiest, record.work);
+      for (std::size_t stage = 0; stage < kRayStages; ++stage)
+        result.traffic.work[stage] = std::max(result.traffic.work[stage], record.work[stage]);
     }
     result.traffic.answers = static_cast<std::int64_t>(result.hits.size());
     result.traffic.sent_again = begun_at_home - result.traffic.run_on;

@@ -1,59 +1,77 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Division, a bit of the quotient in each cycle: floor(num / div) for `bits_i` bits, all ones if it
-// has more (or div is 0). What was given in the cycle of start_i is divided in the bits_i cycles
-// after it; done_o is high in the last of them, and from the next on the quotient stays.
+// Division, Step bits of the quotient in each cycle, one restoring subtraction after another:
+// floor(num / div), all ones if that has more than QuotW bits (or div is 0). What was given in the
+// cycle of start_i takes the Steps cycles after it; done_o is high in the last of them, and from the
+// next on the quotient stays.
 
 module rc2_divide #(
     parameter int unsigned NumW = 16,
     parameter int unsigned DivW = 8,
     parameter int unsigned QuotW = 8,
-    localparam int unsigned BitsW = $clog2(QuotW + 1)
+    parameter int unsigned Step = 1
 ) (
     input  logic             clk_i,
     input  logic             rst_ni,
     input  logic             start_i,
     input  logic [ NumW-1:0] num_i,
     input  logic [ DivW-1:0] div_i,
-    input  logic [BitsW-1:0] bits_i,  // 1 .. QuotW
     output logic             done_o,
     output logic [QuotW-1:0] quot_o,
-    output logic             rest_o   // the division leaves a rest
+    output logic             rest_o   // the division leaves a rest, if the quotient is no larger
 );
-  // The divisor, moved up by all bits of the quotient, comes down by one in each cycle.
-  localparam int unsigned UpW = DivW + QuotW;
-  localparam int unsigned RestW = (NumW > UpW) ? NumW : UpW;
+  localparam int unsigned Steps = (QuotW + Step - 1) / Step;
+  localparam int unsigned BitsW = Steps * Step;  // of the quotient: the first of them may be 0 always
+  localparam int unsigned WideW = BitsW + ((NumW > BitsW + DivW) ? NumW - BitsW : DivW);
+  localparam int unsigned LeftW = $clog2(Steps + 1);
 
-  logic [BitsW-1:0] left_q;
-  logic [RestW-1:0] rest_q, divisor, next;
-  logic [UpW-1:0] up_q;
-  logic [QuotW-1:0] quot_q;
-  logic fits;
+  // What is left of the number, and below it the bits that have not come down yet; from below the
+  // quotient's follow them.
+  logic [LeftW-1:0] left_q;
+  logic [DivW-1:0] div_q;
+  logic [DivW-1:0] rest_q, rest;
+  logic [BitsW-1:0] down_q, down;
+  logic over_q;  // the quotient has more bits
+  logic [WideW-1:0] wide;
+  logic [WideW-1:0] too_large;
+  assign wide = WideW'(num_i);
+  assign too_large = WideW'(div_i) << QuotW;
 
-  assign divisor = RestW'(up_q >> 1);
-  assign fits = (rest_q >= divisor);
-  assign next = fits ? rest_q - divisor : rest_q;
-  assign done_o = (left_q == BitsW'(1));
-  assign quot_o = quot_q;
+  logic [DivW:0] trial, less;
+  always_comb begin
+    rest = rest_q;
+    down = down_q;
+    trial = '0;
+    less = '0;
+    for (int i = 0; i < Step; i++) begin
+      trial = {rest, down[BitsW-1]};
+      less = trial - {1'b0, div_q};
+      rest = less[DivW] ? trial[DivW-1:0] : less[DivW-1:0];
+      down = {down[BitsW-2:0], !less[DivW]};
+    end
+  end
+
+  assign done_o = (left_q == LeftW'(1));
+  assign quot_o = over_q ? '1 : down_q[QuotW-1:0];
   assign rest_o = (rest_q != 0);
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) left_q <= '0;
-    else if (start_i) left_q <= bits_i;
+    else if (start_i) left_q <= LeftW'(Steps);
     else if (left_q != 0) left_q <= left_q - 1'b1;
     if (start_i) begin
-      rest_q <= RestW'(num_i);
-      up_q   <= UpW'(div_i) << bits_i;
-      quot_q <= '0;
+      div_q  <= div_i;
+      rest_q <= wide[BitsW+:DivW];
+      down_q <= wide[BitsW-1:0];
+      over_q <= (wide >= too_large);
     end else if (left_q != 0) begin
-      rest_q <= next;
-      up_q   <= up_q >> 1;
-      quot_q <= {quot_q[QuotW-2:0], fits};
+      rest_q <= rest;
+      down_q <= down;
     end
   end
 
   // Contract: one division at a time.
   always_ff @(posedge clk_i) begin
-    if (rst_ni && start_i) assert (left_q == 0 && bits_i != 0);
+    if (rst_ni && start_i) assert (left_q <= LeftW'(1));
   end
 endmodule

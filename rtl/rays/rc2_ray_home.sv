@@ -5,7 +5,7 @@
 // No ray waits here together with one that it comes from, so there are never more than 2^RAYDEPTH.
 //
 // Readback (thesis 1.3): of each hit HitWords words, the lowest bits first, in the order of nodes; then
-// the counts: columns looked into, planes, rays that ran on, hops, cycles at work.
+// the counts: columns looked into, planes, rays that ran on, hops, cycles at work of the other stages.
 
 module rc2_ray_home (
     input  logic                              clk_i,
@@ -24,11 +24,10 @@ module rc2_ray_home (
     input  logic [   5*rc2_pkg::MessageW-1:0] answers_i,
     output logic [                       4:0] arrived_taken_o,
     // what to count
-    input  logic                              probe_i,
     input  logic                              plane_i,
     input  logic                              run_on_i,
     input  logic [                       2:0] hops_i,
-    input  logic                              work_i,
+    input  logic [                       3:0] work_i,  // of the stages: look, read, launch, meet
     // readback
     input  logic                              read_i,
     output logic                              read_done_o,
@@ -47,7 +46,7 @@ module rc2_ray_home (
   localparam int unsigned Nodes = 1 << NodeW;
   localparam int unsigned Waiting = 1 << rc2_pkg::RAYDEPTH;
   localparam int unsigned WaitingW = $clog2(Waiting + 1);
-  localparam int unsigned Counts = 5;
+  localparam int unsigned Counts = 7;
 
   // ---- Answers -----------------------------------------------------------------------------------
   logic [4:0] turn, chosen, held_q;  // held: the answer whose first ray has been taken
@@ -135,20 +134,24 @@ module rc2_ray_home (
   end
 
   // ---- Counts ------------------------------------------------------------------------------------
-  logic [ValueW-1:0] probes_q, planes_q, run_on_q, hops_q, work_q;
+  logic [ValueW-1:0] probes_q, planes_q, run_on_q, hops_q, reader_q, launch_q, meet_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni || clear_i) begin
       probes_q <= '0;
       planes_q <= '0;
       run_on_q <= '0;
       hops_q   <= '0;
-      work_q   <= '0;
+      reader_q <= '0;
+      launch_q <= '0;
+      meet_q   <= '0;
     end else begin
-      probes_q <= probes_q + ValueW'(probe_i);
+      probes_q <= probes_q + ValueW'(work_i[0]);
       planes_q <= planes_q + ValueW'(plane_i);
       run_on_q <= run_on_q + ValueW'(run_on_i);
       hops_q   <= hops_q + ValueW'(hops_i);
-      work_q   <= work_q + ValueW'(work_i);
+      reader_q <= reader_q + ValueW'(work_i[1]);
+      launch_q <= launch_q + ValueW'(work_i[2]);
+      meet_q   <= meet_q + ValueW'(work_i[3]);
     end
   end
 
@@ -171,7 +174,9 @@ module rc2_ray_home (
     if (of_counts && count_q[1]) value = planes_q;
     if (of_counts && count_q[2]) value = run_on_q;
     if (of_counts && count_q[3]) value = hops_q;
-    if (of_counts && count_q[4]) value = work_q;
+    if (of_counts && count_q[4]) value = reader_q;
+    if (of_counts && count_q[5]) value = launch_q;
+    if (of_counts && count_q[6]) value = meet_q;
   end
   assign sent = fetched_q && data_ready_i;
   assign data_valid_o = fetched_q;

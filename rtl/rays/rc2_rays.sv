@@ -89,7 +89,8 @@ module rc2_rays (
   rc2_pkg::start_t spawned_ray, spawn_ray, home_ray;
   rc2_pkg::answer_t answer_ray;
   logic spawned, spawned_taken, launch_room, launch, spawn_room, spawn;
-  logic answer, answer_taken, home, home_taken, probed, plane;
+  logic answer, answer_taken, home, home_taken, plane;
+  logic [3:0] work;
   logic [4:0] arrived, arrived_taken;
   logic [5*rc2_pkg::MessageW-1:0] answers;
   logic [2:0] hops;
@@ -121,8 +122,8 @@ module rc2_rays (
       .answer_o       (answer),
       .answer_ray_o   (answer_ray),
       .answer_taken_i (answer_taken),
-      .probe_o        (probed),
       .plane_o        (plane),
+      .work_o         (work),
       .busy_o         (working)
   );
   rc2_ray_net u_net (
@@ -174,11 +175,10 @@ module rc2_rays (
       .arrived_i        (arrived),
       .answers_i        (answers),
       .arrived_taken_o  (arrived_taken),
-      .probe_i          (probed),
       .plane_i          (plane),
       .run_on_i         (spawn),
       .hops_i           (hops),
-      .work_i           (working || probed),
+      .work_i           (work),
       .read_i           (read_i),
       .read_done_o      (read_done_o),
       .read_done_taken_i(read_done_taken_i),

@@ -15,6 +15,7 @@ class CellLoader {
 
   bool dividing() const { return dexel_.dividing(); }
   bool filling() const { return fill_.busy(); }
+  bool busy() const { return filling() || seeking_ > 0; }
   bool writing() const { return fill_.writing(); }
 
   /// Whether a word that waits in the stage may leave at the end of this cycle.
@@ -25,6 +26,12 @@ class CellLoader {
   void step(const Word* word, bool taken, Columns& columns, std::size_t column);
 
  private:
+  // The words of a facet for rays (rtl/rays/rc2_ray_surface.sv): the voxels of the HEAD's box are
+  // looked through, one a cycle.
+  void step_seek(const Word* word, bool taken);
+
+  int z_span_ = 0;   // of the last HEAD
+  int seeking_ = 0;  // cycles that this still takes
   Dexel dexel_;
   Fill fill_;
 };

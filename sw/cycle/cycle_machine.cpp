@@ -18,6 +18,7 @@ LoadResult CycleMachine::load(const facet::PacketStream& packets, const Progress
   const LoadResult result{
       LoadArray(config_.n, config_.feeders, columns_).run(packets, load_observer_, progress)};
   if (config_.mode == LightMode::fast) lane_array_.settle();
+  boxes_ = boxes_of(packets);
   return result;
 }
 
@@ -33,7 +34,14 @@ LightResult CycleMachine::light(const LightJob& job, const Progress& progress) {
 
 RayResult CycleMachine::trace(const RayJob& job, const Progress& progress) {
   check_rays(config_, job, read_voxels());
-  return RayArray(config_.n, columns_, job).run(progress);
+  std::vector<std::vector<Word>> words;
+  for (int k = 0; k < config_.feeders; ++k)
+    words.push_back(ray_word_sorts(config_, boxes_, job, k));
+  const std::int64_t load_cycles =
+      LoadArray(config_.n, config_.feeders, columns_).run(words, progress);
+  RayResult result = RayArray(config_.n, columns_, job).run(progress);
+  result.traffic.load_cycles = load_cycles;
+  return result;
 }
 
 template <typename Visit>

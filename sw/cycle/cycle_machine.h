@@ -6,6 +6,7 @@
 #include "sw/cycle/light_array.h"
 #include "sw/cycle/load_array.h"
 #include "sw/machine/machine.h"
+#include "sw/machine/ray_words.h"
 
 namespace rc2::cycle {
 
@@ -46,6 +47,7 @@ class CycleMachine : public Machine {
 
   MachineConfig config_;
   Columns columns_;
+  std::vector<FacetBox> boxes_;  // of what is loaded
   LightArray light_array_;
   LaneArray lane_array_;
   QueueObserver observer_;

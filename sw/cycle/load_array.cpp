@@ -9,6 +9,21 @@ namespace {
 
 constexpr std::int64_t kProgressCycles = 4096;
 
+// Words one after another, as FeederWords gives those of packets.
+class GivenWords {
+ public:
+  explicit GivenWords(const std::vector<Word>& words) : words_(words) {}
+  bool done() const { return at_ == words_.size(); }
+  const Word& next() { return words_[at_++]; }
+  double share() const {
+    return static_cast<double>(at_) / static_cast<double>(std::max<std::size_t>(1, words_.size()));
+  }
+
+ private:
+  const std::vector<Word>& words_;
+  std::size_t at_ = 0;
+};
+
 }  // namespace
 
 LoadArray::LoadArray(int n, int feeders, Columns& columns)
@@ -33,8 +48,19 @@ std::int64_t LoadArray::run(const facet::PacketStream& packets, const LoadObserv
   for (std::size_t k = 0; k < feeders_; ++k) {
     host.emplace_back(packets, static_cast<int>(k), static_cast<int>(feeders_));
   }
+  return run_from(host, observer, progress);
+}
+
+std::int64_t LoadArray::run(const std::vector<std::vector<Word>>& words, const Progress& progress) {
+  std::vector<GivenWords> host(words.begin(), words.end());
+  return run_from(host, {}, progress);
+}
+
+template <typename Source>
+std::int64_t LoadArray::run_from(std::vector<Source>& host, const LoadObserver& observer,
+                                 const Progress& progress) {
   const auto unsent = [&] {
-    return std::any_of(host.begin(), host.end(), [](const FeederWords& f) { return !f.done(); });
+    return std::any_of(host.begin(), host.end(), [](const Source& f) { return !f.done(); });
   };
   std::vector<std::optional<Word>> words(feeders_);
   std::int64_t busy_cycles = 0;
@@ -102,7 +128,7 @@ void LoadArray::push(std::size_t stage, const Word& word) {
 }
 
 bool LoadArray::stage_busy(std::size_t stage) const {
-  return stages_[stage].busy() || (!is_feeder(stage) && cells_[cell_of(stage)].filling());
+  return stages_[stage].busy() || (!is_feeder(stage) && cells_[cell_of(stage)].busy());
 }
 
 StageView LoadArray::view(std::size_t stage) const {

@@ -34,6 +34,9 @@ class LoadArray {
   std::int64_t run(const facet::PacketStream& packets, const LoadObserver& observer,
                    const Progress& progress);
 
+  /// Likewise of given words, for each feeder its own.
+  std::int64_t run(const std::vector<std::vector<Word>>& words, const Progress& progress);
+
   bool busy() const { return !active_.empty(); }
 
   /// Whether a feeder takes a word at the end of this cycle.
@@ -56,6 +59,9 @@ class LoadArray {
     return is_feeder(stage) ? after(stage) >= stages_.size() : is_feeder(stage + 1);
   }
 
+  template <typename Source>
+  std::int64_t run_from(std::vector<Source>& host, const LoadObserver& observer,
+                        const Progress& progress);
   bool fires(std::size_t stage) const;
   void step_stage(std::size_t stage);
   void push(std::size_t stage, const Word& word);

@@ -3,10 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <stdexcept>
-
-#include "sw/cycle/ray_timing.h"
 
 namespace rc2::cycle {
 
@@ -27,10 +24,10 @@ constexpr std::int64_t kPatience = 1000;
 
 RayArray::RayArray(int n, const Columns& columns, const RayJob& job)
     : n_(n),
-      columns_(columns),
       job_(job),
       queues_(static_cast<std::size_t>(n) * n, job.queue),
-      cells_(static_cast<std::size_t>(n) * n) {}
+      cells_(static_cast<std::size_t>(n) * n),
+      world_{n, columns, job, rays_, result_.counts} {}
 
 RayResult RayArray::run(const Progress& progress) {
   for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
@@ -52,7 +49,14 @@ RayResult RayArray::run(const Progress& progress) {
   }
   RayTraffic& traffic = result_.traffic;
   traffic.cycles = cycle_;
-  for (const Cell& cell : cells_) traffic.busiest = std::max(traffic.busiest, cell.work_cycles);
+  for (const Cell& cell : cells_) {
+    for (std::size_t stage = 0; stage < kRayStages; ++stage)
+      traffic.work[stage] = std::max(traffic.work[stage], cell.engine.work()[stage]);
+    for (const std::int64_t sent : cell.sent) {
+      traffic.messages += sent;
+      traffic.busiest_link = std::max(traffic.busiest_link, sent);
+    }
+  }
   const std::int64_t begun = result_.counts.total();
   if (begun != traffic.answers || begun != rays + traffic.run_on + traffic.sent_again)
     throw std::logic_error(
@@ -64,7 +68,7 @@ RayResult RayArray::run(const Progress& progress) {
 // Each step looks at what was there when the cycle began: what one does shows to none after it.
 void RayArray::serve(std::size_t cell) {
   Cell& here = cells_[cell];
-  if (here.messages == 0 && here.home.empty() && !here.work && !here.launched) return;
+  if (here.messages == 0 && here.home.empty() && here.engine.is_idle() && !here.launched) return;
   work(cell);
   here.wishes.fill(0);
   for (unsigned sender = 0; sender < kSenders; ++sender)
@@ -77,90 +81,37 @@ void RayArray::serve(std::size_t cell) {
 void RayArray::work(std::size_t cell) {
   Cell& here = cells_[cell];
   here.begins_child = false;
-  if (!here.work) {
-    take_up(cell);
-    return;
-  }
-  ++here.work_cycles;
-  Work& now = *here.work;
-  if (cycle_ == now.pass_at) {
-    rays_[now.ray].ready_at = cycle_ + 1;
-    if (now.queue == kSpawned) here.launched = now.ray;
-    here.work.reset();
-    return;
-  }
-  if (cycle_ == now.end_at && now.queue != kSpawned) let_go(cell, now.queue);
-  if (cycle_ == now.answer_at - 2) begin_child(cell, now.reflected);
-  if (cycle_ == now.answer_at - 1) begin_child(cell, now.refracted);
-  if (cycle_ == now.answer_at) answer(cell);
-}
-
-// One ray each time, those that begin here before those that pass.
-void RayArray::take_up(std::size_t cell) {
-  Cell& here = cells_[cell];
   const auto spawned = front(cell, kSpawned);
-  std::int64_t look = cycle_;  // the cycle in which the column is looked into
-  Work now{0, kSpawned};
-  if (spawned && !here.launched) {
-    const Start start = starts_.take(*spawned);
-    RayWalk walk(start.ray, n_);
-    walk.age = start.age;
-    now.ray = rays_.add(walk);
+  RayHeads heads;
+  for (unsigned queue = kRays; queue < kLaunched; ++queue) heads.rays[queue] = front(cell, queue);
+  heads.spawned = spawned ? &starts_[*spawned] : nullptr;
+  heads.has_launch_room = !here.launched;
+  heads.has_spawn_room = room(cell, kSpawned) > 0;
+  const RayDeeds deeds = here.engine.step(world_, heads, cycle_);
+  if (deeds.takes_spawned) {
+    starts_.take(*spawned);
     let_go(cell, kSpawned);
-    look += ray_timing::begin(n_);
-  } else {
-    std::uint32_t waiting = 0;
-    for (unsigned queue = kRays; queue < kLaunched; ++queue) {
-      const auto ray = front(cell, queue);
-      if (ray && !rays_[*ray].is_probed()) waiting |= 1U << queue;
-    }
-    if (waiting == 0) return;
-    now.queue = here.probe_turn.take(waiting);
-    now.ray = *front(cell, now.queue);
   }
-  ++here.work_cycles;
-  RayWalk& walk = rays_[now.ray];
-  walk.ready_at = std::numeric_limits<std::int64_t>::max();
-  const int reads = walk.probe(columns_, job_, result_.counts);
-  const std::int64_t read = look + (reads > 0 ? ray_timing::read(reads) : 0);
-  if (!walk.end()) {
-    if (reads == 0 && now.queue != kSpawned) {  // nothing on its way: on it goes at once
-      walk.ready_at = cycle_ + 1;
-      walk.age += 2;
-      return;
-    }
-    now.pass_at = read + 1;
-    walk.age += now.pass_at - cycle_ + 2;
-  } else {
-    const RayEnd& end = *walk.end();
-    now.end_at = walk.is_beyond() ? read + 1 : read;
-    now.answer_at = now.end_at + end.cycles + 1;
-    now.reflected = end.split.reflected;
-    now.refracted = end.split.refracted;
-    walk.age += now.answer_at - cycle_;
+  if (deeds.ended) let_go(cell, *deeds.ended);
+  if (deeds.launched) here.launched = deeds.launched;
+  if (deeds.child) {
+    here.begins_child = true;
+    ++result_.traffic.run_on;
+    ++rays_left_;
+    spawn(cell, starts_.add(*deeds.child));
   }
-  here.work = now;
-}
-
-// A new ray begins where its parent has ended, if there is room; the parent never waits for it.
-void RayArray::begin_child(std::size_t cell, std::optional<rays::Ray>& child) {
-  if (!child || glm::ivec2(rays::voxel_of(child->origin)) != place(cell)) return;
-  if (room(cell, kSpawned) == 0) return;
-  cells_[cell].begins_child = true;
-  ++result_.traffic.run_on;
-  ++rays_left_;
-  spawn(cell, starts_.add({*child, rays_[cells_[cell].work->ray].age - 1}));
-  child.reset();
+  if (!here.answer && here.engine.answer(cycle_) != nullptr) answer(cell);
 }
 
 // The answer is there, and with it those new rays for which there was no room.
 void RayArray::answer(std::size_t cell) {
-  Work& now = *cells_[cell].work;
+  Cell& here = cells_[cell];
+  const RayEngine::Answer& now = *here.engine.answer(cycle_);
   const RayWalk walk = rays_.take(now.ray);
   const RayEnd& end = *walk.end();
   Answer message{end.hit, {}};
-  for (const auto& child : {now.reflected, now.refracted})
-    if (child) message.onwards.push_back({*child, walk.age - 1});
+  if (now.reflected) message.onwards.push_back({*now.reflected, walk.age - 1});
+  if (now.refracted) message.onwards.push_back({*now.refracted, walk.age});
   RayCounts& counts = result_.counts;
   ++(end.hit.facet == RayHit::kNoFacet ? counts.escaped : counts.hits);
   counts.rescued += end.is_rescued ? 1 : 0;
@@ -168,7 +119,7 @@ void RayArray::answer(std::size_t cell) {
   counts.too_deep += end.split.too_deep;
   const glm::ivec2 way = glm::abs(end.hit.ray.home - place(cell));
   result_.traffic.latency = std::max(result_.traffic.latency, walk.age + way.x + way.y + 1);
-  now.answer = answers_.add(std::move(message));
+  here.answer = answers_.add(std::move(message));
 }
 
 // Answers before starts before rays: what is nearer to its end makes room.
@@ -193,6 +144,7 @@ void RayArray::drive_link(std::size_t cell, unsigned way) {
     ++result_.traffic.hops;
     --result_.traffic.waits;
   }
+  ++cells_[cell].sent[way];
   let_go(cell, sender);
   push(to / kCount, static_cast<unsigned>(to % kCount), handle);
 }
@@ -220,7 +172,7 @@ void RayArray::take_home(std::size_t cell) {
     sender = here.home_turn.take(arrived);
   }
   const std::uint32_t handle = *front(cell, sender);
-  const std::vector<Start>& onwards = answers_[handle].onwards;
+  const std::vector<RayBegin>& onwards = answers_[handle].onwards;
   const bool is_second = here.held.has_value();
   if (!onwards.empty()) {
     ++result_.traffic.sent_again;
@@ -242,7 +194,7 @@ void RayArray::spawn(std::size_t cell, std::uint32_t start) {
   push(cell, kSpawned, start);
 }
 
-void RayArray::wait_at_home(std::size_t cell, const Start& start) {
+void RayArray::wait_at_home(std::size_t cell, const RayBegin& start) {
   std::deque<std::uint32_t>& home = cells_[cell].home;
   home.push_back(starts_.add(start));
   ++rays_left_;
@@ -253,10 +205,7 @@ void RayArray::wait_at_home(std::size_t cell, const Start& start) {
 std::optional<std::uint32_t> RayArray::front(std::size_t cell, unsigned sender) const {
   const Cell& here = cells_[cell];
   if (sender == kLaunched) return here.launched;
-  if (sender == kOwnAnswer) {
-    if (!here.work || here.work->answer_at == kNever || cycle_ < here.work->answer_at) return {};
-    return here.work->answer;
-  }
+  if (sender == kOwnAnswer) return here.answer;
   if (sender == kHome) {
     if (here.home.empty()) return {};
     return here.home.front();
@@ -271,7 +220,7 @@ std::optional<unsigned> RayArray::wish(std::size_t cell, unsigned sender) {
   if (!handle) return std::nullopt;
   if (is_of_rays(sender)) {
     const RayWalk& walk = rays_[*handle];
-    if (!walk.is_probed() || walk.end() || cycle_ < walk.ready_at) return std::nullopt;
+    if (!walk.may_go(cycle_)) return std::nullopt;
     return way_along(walk.axis(), walk.step());
   }
   if (is_answer(sender)) return way_to(place(cell), answers_[*handle].hit.ray.home, true);
@@ -292,7 +241,8 @@ void RayArray::let_go(std::size_t cell, unsigned sender) {
   if (sender == kLaunched) {
     here.launched.reset();
   } else if (sender == kOwnAnswer) {
-    here.work.reset();
+    here.answer.reset();
+    here.engine.let_answer_go();
   } else if (sender == kHome) {
     here.home.pop_front();
   } else {

@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "sw/cycle/column.h"
-#include "sw/cycle/ray_queues.h"
-#include "sw/cycle/ray_walk.h"
+#include "sw/cycle/ray_engine.h"
 #include "sw/cycle/rotate.h"
 #include "sw/machine/machine.h"
 
@@ -26,48 +25,33 @@ class RayArray {
   RayResult run(const Progress& progress);
 
  private:
-  // A ray and the age that it begins with.
-  struct Start {
-    rays::Ray ray;
-    std::int64_t age;
-  };
   struct Answer {
     RayHit hit;
-    std::vector<Start> onwards;  // the mirrored one first
-  };
-  // The ray that a cell is at work on, and in which cycles what happens.
-  struct Work {
-    std::uint32_t ray;
-    unsigned queue;  // that it came from
-    std::int64_t pass_at = kNever, end_at = kNever, answer_at = kNever;
-    std::uint32_t answer = 0;                           // from answer_at on
-    std::optional<rays::Ray> reflected{}, refracted{};  // that have not begun here
+    std::vector<RayBegin> onwards;  // the mirrored one first
   };
   // What a cell has beside its queues.
   struct Cell {
     std::deque<std::uint32_t> home;  // its own pixel's rays that wait to be started
-    std::optional<Work> work;
-    std::optional<std::uint32_t> launched;
-    Rotate probe_turn, home_turn, start_turn;
+    RayEngine engine;
+    std::optional<std::uint32_t> launched, answer;
+    Rotate home_turn, start_turn;
     std::array<Rotate, kHere> link_turn;
-    std::optional<unsigned> held;  // the answer whose first ray has been taken home
-    std::int64_t work_cycles = 0;
-    std::uint32_t messages = 0;  // in its queues
-    bool begins_child = false;   // in this cycle
+    std::array<std::int64_t, kHere> sent{};  // over each link
+    std::optional<unsigned> held;            // the answer whose first ray has been taken home
+    std::uint32_t messages = 0;              // in its queues
+    bool begins_child = false;               // in this cycle
     std::array<std::uint32_t, kHere + 1>
         wishes{};  // in this cycle: of each way, who wants to go it
   };
 
   void serve(std::size_t cell);
   void work(std::size_t cell);
-  void take_up(std::size_t cell);
-  void begin_child(std::size_t cell, std::optional<rays::Ray>& child);
   void answer(std::size_t cell);
   void drive_link(std::size_t cell, unsigned way);
   void begin_ray(std::size_t cell);
   void take_home(std::size_t cell);
   void spawn(std::size_t cell, std::uint32_t start);
-  void wait_at_home(std::size_t cell, const Start& start);
+  void wait_at_home(std::size_t cell, const RayBegin& start);
 
   // The message that a sender has, if it has one.
   std::optional<std::uint32_t> front(std::size_t cell, unsigned sender) const;
@@ -83,19 +67,17 @@ class RayArray {
   }
   glm::ivec2 place(std::size_t cell) const;
 
-  static constexpr std::int64_t kNever = -1;
-
   int n_;
-  const Columns& columns_;
   const RayJob& job_;
   RayQueues queues_;
   std::vector<Cell> cells_;
   Pool<RayWalk> rays_;
   Pool<Answer> answers_;
-  Pool<Start> starts_;
+  Pool<RayBegin> starts_;
   std::int64_t cycle_ = 0;
   std::int64_t rays_left_ = 0;  // that wait at home or are on their way, and answers
   RayResult result_;
+  RayWorld world_;
 };
 
 }  // namespace rc2::cycle

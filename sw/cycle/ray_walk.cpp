@@ -10,9 +10,8 @@ namespace rc2::cycle {
 RayWalk::RayWalk(const rays::Ray& ray, int n)
     : ray_(ray), n_(n), state_(rays::launch(ray, n)), at_(rays::voxel_of(ray.origin)) {}
 
-int RayWalk::probe(const Columns& columns, const RayJob& job, RayCounts& counts) {
+void RayWalk::probe(const Columns& columns, const RayJob& job, RayCounts& counts) {
   const std::size_t column = cell_number(at_.x, at_.y, n_);
-  const ColumnLayers& layers = columns.layers(column);
   const int fraction = rays::slope_fraction(n_), up = ray_.direction.z < 0 ? -1 : 1;
   axis_ = state_.decision < 0 ? 0 : 1;
   const std::int64_t exit = axis_ == 0 ? state_.exit_x : state_.exit_y;
@@ -21,32 +20,35 @@ int RayWalk::probe(const Columns& columns, const RayJob& job, RayCounts& counts)
   is_probed_ = true;
   ++counts.probes;
 
-  int reads = 0;
   for (;; at_.z += up) {
     if (at_.z < 0 || at_.z >= n_) {
       leave_cube(job);
       break;
     }
-    if (columns.occupied(column, at_.z)) {
-      ++reads;
-      if (visit_armour(columns, job, at_.z == last ? axis_ : 2, counts)) break;
-    } else if (layers.inside.has(at_.z) != ray_.inside) {
-      ++reads;
-      if (touched_) {
-        hit(job, at_, true);
-        break;
+    if (is_worth_a_look(columns, column, at_.z)) {
+      ++reads_;
+      if (!columns.occupied(column, at_.z)) {
+        if (touched_) hit(job, at_, true);
+      } else {
+        visit_armour(columns, job, at_.z == last ? axis_ : 2, counts);
       }
+      if (end_) break;
     }
     if (at_.z == last) break;
   }
+  for (int z = at_.z; z != last && z + up >= 0 && z + up < n_; z += up)
+    has_more_ = has_more_ || is_worth_a_look(columns, column, z + up);
   if (!end_) {
     const int next = at_[axis_] + step();
     if (next < 0 || next >= n_) leave_cube(job);
   }
-  return reads;
 }
 
-bool RayWalk::visit_armour(const Columns& columns, const RayJob& job, int axis, RayCounts& counts) {
+bool RayWalk::is_worth_a_look(const Columns& columns, std::size_t column, int z) const {
+  return columns.occupied(column, z) || columns.layers(column).inside.has(z) != ray_.inside;
+}
+
+void RayWalk::visit_armour(const Columns& columns, const RayJob& job, int axis, RayCounts& counts) {
   const Claim owner = columns.owner(cell_number(at_.x, at_.y, n_), at_.z).claim;
   const rays::Owned owned{at_, (*job.facets)[owner.facet], owner.core, owner.gap};
   const std::int64_t way = rays::exit_distance(ray_, axis, at_[axis]);
@@ -59,7 +61,6 @@ bool RayWalk::visit_armour(const Columns& columns, const RayJob& job, int axis, 
   } else if (in_room_) {
     touched_ = {at_, owner.facet, rays::side_face(ray_, axis, way)};
   }
-  return end_.has_value();
 }
 
 void RayWalk::hit(const RayJob& job, const glm::ivec3& here, bool is_rescued) {
@@ -69,31 +70,30 @@ void RayWalk::hit(const RayJob& job, const glm::ivec3& here, bool is_rescued) {
           rays::split(ray_, (*job.facets)[facet], face, rays::clamp_to_voxel(point, here),
                       job.limits, n_),
           is_rescued};
-  end_->cycles = arithmetic_cycles((*job.facets)[facet], face, end_->split.reflected.has_value());
-}
-
-int RayWalk::arithmetic_cycles(const rays::Facet& facet, const rays::Face& face,
-                               bool is_mirrored) const {
-  int cycles = ray_timing::meet(n_);
-  if (facet.is_glass()) {
-    const int ratio = face.is_back ? facet.leave : facet.enter;
-    const bool all = !rays::refract(ray_.direction, face, ratio, n_);
-    cycles += ray_timing::refract(n_, all);
-  }
-  if (is_mirrored) cycles += ray_timing::reflect(n_);
-  return cycles + ray_timing::kShare + 2 * ray_timing::kChild;
+  const rays::Facet& what = (*job.facets)[facet];
+  const int ratio = face.is_back ? what.leave : what.enter;
+  const bool is_refracted =
+      what.is_glass() && rays::refract(ray_.direction, face, ratio, n_).has_value();
+  const bool bends = end_->split.reflected || (what.is_glass() && end_->split.refracted);
+  end_->meet_cycles = ray_timing::meet(n_, is_refracted);
+  end_->bend_cycles = bends ? ray_timing::bend(n_) : ray_timing::kNothing;
 }
 
 void RayWalk::leave_cube(const RayJob& job) {
-  is_beyond_ = true;
   if (in_room_)
     hit(job, touched_->voxel, true);
   else
-    end_ = {{ray_, RayHit::kNoFacet, false, {}, {}}, {}};
+    end_ = {{ray_, RayHit::kNoFacet, false, {}, {}},
+            {},
+            false,
+            ray_timing::kNothing,
+            ray_timing::kNothing};
 }
 
 void RayWalk::advance() {
   is_probed_ = false;
+  reads_ = 0;
+  ready_at_ = kNever;
   at_[axis_] += step();
   if (axis_ == 0) {
     state_.decision += std::int64_t{std::abs(ray_.direction.y)} * rays::kPlaceOne;

@@ -15,7 +15,8 @@ struct RayEnd {
   RayHit hit;
   rays::Split split;
   bool is_rescued = false;
-  int cycles = 0;  ///< of the arithmetic that takes
+  /// What arithmetic takes of them (ray_timing.h).
+  int meet_cycles = 0, bend_cycles = 0;
 };
 
 class RayWalk {
@@ -29,16 +30,28 @@ class RayWalk {
   }
 
   /// Looks into the column that the ray is in, once. Then either end() is there, or the ray is to
-  /// go to the neighbour along axis(). Returns how many voxels are read: those on its way that are
-  /// armoured, or not on the side of matter that the ray is on.
-  int probe(const Columns& columns, const RayJob& job, RayCounts& counts);
+  /// go to the neighbour along axis().
+  void probe(const Columns& columns, const RayJob& job, RayCounts& counts);
 
   bool is_probed() const { return is_probed_; }
-  /// Out of the column the ray has left the cube, rescued or not.
-  bool is_beyond() const { return is_beyond_; }
+  /// Voxels that are read: those on its way that are armoured, or not on the side of matter that
+  /// the ray is on. Up to the one where it ends, if it does.
+  int reads() const { return reads_; }
+  /// There are more such beyond the one where it ends.
+  bool has_more() const { return has_more_; }
   const std::optional<RayEnd>& end() const { return end_; }
   int axis() const { return axis_; }
   int step() const { return ray_.direction[axis_] < 0 ? -1 : 1; }
+
+  /// Whether another ray starts in the column that this one is in.
+  bool is_here(const rays::Ray& ray) const {
+    return glm::ivec2(rays::voxel_of(ray.origin)) == glm::ivec2(at_);
+  }
+
+  /// The cell is done with it: it may go on from that cycle on.
+  void send(std::int64_t ready_at) { ready_at_ = ready_at; }
+  bool is_sent() const { return ready_at_ != kNever; }
+  bool may_go(std::int64_t cycle) const { return is_sent() && cycle >= ready_at_; }
 
   /// The ray has come to the neighbour: two additions.
   void advance();
@@ -46,20 +59,19 @@ class RayWalk {
   /// Cycles since the pixel's first ray began, had nothing ever waited.
   std::int64_t age = 0;
 
-  /// The first cycle in which it may go on.
-  std::int64_t ready_at = 0;
-
  private:
+  static constexpr std::int64_t kNever = -1;
+
   struct Touched {
     glm::ivec3 voxel;
     std::uint32_t facet;
     rays::Face face;
   };
 
-  // Of the armoured voxel that the ray is in. True if it ends here.
-  bool visit_armour(const Columns& columns, const RayJob& job, int axis, RayCounts& counts);
+  // Of the armoured voxel that the ray is in.
+  void visit_armour(const Columns& columns, const RayJob& job, int axis, RayCounts& counts);
   void hit(const RayJob& job, const glm::ivec3& here, bool is_rescued);
-  int arithmetic_cycles(const rays::Facet& facet, const rays::Face& face, bool is_mirrored) const;
+  bool is_worth_a_look(const Columns& columns, std::size_t column, int z) const;
   void leave_cube(const RayJob& job);
 
   rays::Ray ray_;
@@ -68,7 +80,9 @@ class RayWalk {
   glm::ivec3 at_;
   int axis_ = 0;
   bool is_probed_ = false;
-  bool is_beyond_ = false;
+  bool has_more_ = false;
+  int reads_ = 0;
+  std::int64_t ready_at_ = kNever;
   bool in_room_ = false;
   std::optional<Touched> touched_;
   std::optional<RayEnd> end_;

@@ -10,11 +10,15 @@ namespace rc2::cycle {
 /// A new light starts with a new one, so the same light takes the same cycles.
 class Rotate {
  public:
-  /// Grants the first request at or after the place that follows the last grant.
-  unsigned take(unsigned requests) {
+  /// Whose turn it is: the first request at or after the place that follows the last grant.
+  unsigned next(unsigned requests) const {
     const unsigned preferred = requests >> next_ << next_;
-    const unsigned chosen = preferred != 0 ? preferred : requests;
-    const unsigned way = first_of(chosen);
+    return first_of(preferred != 0 ? preferred : requests);
+  }
+
+  /// Grants it.
+  unsigned take(unsigned requests) {
+    const unsigned way = next(requests);
     next_ = static_cast<std::uint8_t>(way + 1);
     return way;
   }

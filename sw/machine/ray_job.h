@@ -1,6 +1,7 @@
 // Rendering: the rays that a machine is asked to follow, and what it answers (docs/render.md).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -57,18 +58,35 @@ struct RayCounts {
 
 bool operator==(const RayCounts& a, const RayCounts& b);
 
-/// How the rays travelled; 0 on golden; latency, waits and max_stack 0 on rtl. Rays begun = first
+/// What a cell does with rays, each at the same time as the others (docs/render.md).
+enum class RayStage : std::uint8_t { look, read, launch, meet };
+constexpr std::size_t kRayStages = 4;
+constexpr std::array<const char*, kRayStages> kRayStageNames{"look", "read", "launch", "meet"};
+
+/// How the rays travelled; 0 on golden; latency, waits, messages, busiest_link and max_stack 0 on
+/// rtl. Rays begun = first
 /// rays + run_on + sent_again.
 struct RayTraffic {
-  std::int64_t cycles = 0;   ///< from the start to the last answer at home
-  std::int64_t busiest = 0;  ///< cycles that the busiest cell was at work
+  std::int64_t load_cycles = 0;  ///< of sending surfaces and first rays to the cells, before that
+  std::int64_t cycles = 0;       ///< from the start to the last answer at home
+  /// Of each stage, the cycles that the busiest cell's was at work, and did not wait.
+  std::array<std::int64_t, kRayStages> work{};
   std::int64_t latency = 0;  ///< of the longest chain of rays and its way home, if nothing waited
   std::int64_t hops = 0;     ///< of rays, from cell to cell
   std::int64_t waits = 0;    ///< cycles that rays spent with nothing left to do but to go on
   std::int64_t answers = 0;  ///< hits that came home
   std::int64_t run_on = 0;   ///< rays that began where their parent ended
-  std::int64_t sent_again = 0;  ///< rays that went home first, because there was no room for them
-  std::int64_t max_stack = 0;   ///< most rays that waited at a home
+  std::int64_t sent_again = 0;    ///< rays that went home first, because there was no room for them
+  std::int64_t max_stack = 0;     ///< most rays that waited at a home
+  std::int64_t messages = 0;      ///< over all links: rays, starts and answers
+  std::int64_t busiest_link = 0;  ///< over the one with the most
+
+  /// No machine with one of each stage in a cell takes less.
+  std::int64_t busiest() const { return *std::max_element(work.begin(), work.end()); }
+  const char* busiest_stage() const {
+    return kRayStageNames[static_cast<std::size_t>(std::max_element(work.begin(), work.end()) -
+                                                   work.begin())];
+  }
 };
 
 struct RayResult {

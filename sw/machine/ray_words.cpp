@@ -8,7 +8,7 @@ namespace {
 constexpr int kShareBits = rays::kShareFraction + 1;
 constexpr int kWeightBits = rays::kWeightFraction + 1;
 constexpr int kIndexBits = rays::kIndexFraction + 3;
-constexpr std::size_t kCounts = 5;  // behind the hits
+constexpr std::size_t kCounts = 7;  // behind the hits
 
 // A HEAD for the cells of a box in the rows of a feeder; false if there are none.
 bool head_for(const FacetBox& box, int feeder, int feeders, Word& word) {
@@ -23,28 +23,40 @@ bool head_for(const FacetBox& box, int feeder, int feeders, Word& word) {
   return true;
 }
 
-void add_surface(const WordFormat& format, const rays::Facet& facet, std::vector<HostWord>& words) {
-  words.emplace_back(format, RaySort::normal,
-                     std::initializer_list<Field>{{facet.normal.z, rays::kNormalBits},
-                                                  {facet.normal.y, rays::kNormalBits},
-                                                  {facet.normal.x, rays::kNormalBits},
-                                                  {static_cast<std::int64_t>(facet.body), 2}});
-  words.emplace_back(format, RaySort::shares,
-                     std::initializer_list<Field>{{facet.leave, kIndexBits},
-                                                  {facet.enter, kIndexBits},
-                                                  {facet.clear, kShareBits},
-                                                  {facet.mirror, kShareBits}});
-}
+using Fields = std::initializer_list<Field>;
 
-void add_ray(const WordFormat& format, const rays::Ray& ray, int n, std::vector<HostWord>& words) {
-  const int place = rays::place_bits(n), direction = rays::direction_bits(n);
-  words.emplace_back(format, RaySort::origin,
-                     std::initializer_list<Field>{
-                         {ray.origin.z, place}, {ray.origin.y, place}, {ray.origin.x, place}});
-  words.emplace_back(format, RaySort::direction,
-                     std::initializer_list<Field>{{ray.direction.z, direction},
-                                                  {ray.direction.y, direction},
-                                                  {ray.direction.x, direction}});
+// Calls head(word) and ray(sort, fields) for all words of a feeder, in their order.
+template <typename Head, typename Ray>
+void for_each_word(const MachineConfig& config, const std::vector<FacetBox>& boxes,
+                   const RayJob& job, int feeder, Head head, Ray ray) {
+  Word word{WordKind::head};
+  for (const FacetBox& box : boxes) {
+    if (!head_for(box, feeder, config.feeders, word)) continue;
+    const rays::Facet& facet = (*job.facets)[box.facet];
+    head(word);
+    ray(RaySort::normal, Fields{{facet.normal.z, rays::kNormalBits},
+                                {facet.normal.y, rays::kNormalBits},
+                                {facet.normal.x, rays::kNormalBits},
+                                {static_cast<std::int64_t>(facet.body), 2}});
+    ray(RaySort::shares, Fields{{facet.leave, kIndexBits},
+                                {facet.enter, kIndexBits},
+                                {facet.clear, kShareBits},
+                                {facet.mirror, kShareBits}});
+  }
+  const int place = rays::place_bits(config.n), direction = rays::direction_bits(config.n);
+  for (int y = feeder; y < config.n; y += config.feeders) {
+    for (int x = 0; x < config.n; ++x) {
+      const rays::Ray first = first_ray(job, {x, y}, config.n);
+      if (first.direction == glm::ivec3(0)) continue;
+      head_for({0, {x, y, 0}, {x, y, 0}}, feeder, config.feeders, word);
+      head(word);
+      ray(RaySort::origin,
+          Fields{{first.origin.z, place}, {first.origin.y, place}, {first.origin.x, place}});
+      ray(RaySort::direction, Fields{{first.direction.z, direction},
+                                     {first.direction.y, direction},
+                                     {first.direction.x, direction}});
+    }
+  }
 }
 
 // Takes fields from the lowest bit on out of the values of some beats.
@@ -116,21 +128,21 @@ std::vector<HostWord> ray_words(const MachineConfig& config, const std::vector<F
                                 const RayJob& job, int feeder) {
   const WordFormat format(config);
   std::vector<HostWord> words;
-  Word head{WordKind::head};
-  for (const FacetBox& box : boxes) {
-    if (!head_for(box, feeder, config.feeders, head)) continue;
-    words.emplace_back(format, head);
-    add_surface(format, (*job.facets)[box.facet], words);
-  }
-  for (int y = feeder; y < config.n; y += config.feeders) {
-    for (int x = 0; x < config.n; ++x) {
-      const rays::Ray ray = first_ray(job, {x, y}, config.n);
-      if (ray.direction == glm::ivec3(0)) continue;
-      head_for({0, {x, y, 0}, {x, y, 0}}, feeder, config.feeders, head);
-      words.emplace_back(format, head);
-      add_ray(format, ray, config.n, words);
-    }
-  }
+  for_each_word(
+      config, boxes, job, feeder, [&](const Word& head) { words.emplace_back(format, head); },
+      [&](RaySort sort, const Fields& fields) { words.emplace_back(format, sort, fields); });
+  return words;
+}
+
+std::vector<Word> ray_word_sorts(const MachineConfig& config, const std::vector<FacetBox>& boxes,
+                                 const RayJob& job, int feeder) {
+  std::vector<Word> words;
+  for_each_word(
+      config, boxes, job, feeder, [&](const Word& head) { words.push_back(head); },
+      [&](RaySort sort, const Fields&) {
+        words.push_back({WordKind::ray});
+        words.back().d = static_cast<std::int64_t>(sort);
+      });
   return words;
 }
 
@@ -148,7 +160,7 @@ HomeRecord unpack_home(const MachineConfig& config, const glm::ivec2& home,
   record.planes = values[end + 1];
   record.run_on = values[end + 2];
   record.hops = values[end + 3];
-  record.work = values[end + 4];
+  record.work = {record.probes, values[end + 4], values[end + 5], values[end + 6]};
   return record;
 }
 

@@ -4,6 +4,7 @@
 // that the facet owns keeps them. Two after the HEAD of one cell are its pixel's first ray.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "sw/facet/packet.h"
@@ -24,11 +25,17 @@ std::vector<FacetBox> boxes_of(const facet::PacketStream& packets);
 std::vector<HostWord> ray_words(const MachineConfig& config, const std::vector<FacetBox>& boxes,
                                 const RayJob& job, int feeder);
 
+/// The same words with their fields apart, as the cycle model moves them. Of a RAY word it knows
+/// the sort, which stands where other words have d.
+std::vector<Word> ray_word_sorts(const MachineConfig& config, const std::vector<FacetBox>& boxes,
+                                 const RayJob& job, int feeder);
+
 /// What the home of a pixel answers to a READ of its hits.
 struct HomeRecord {
   std::vector<RayHit> hits;
   int rescued = 0, too_light = 0, too_deep = 0;
-  std::int64_t probes = 0, planes = 0, run_on = 0, hops = 0, work = 0;
+  std::int64_t probes = 0, planes = 0, run_on = 0, hops = 0;
+  std::array<std::int64_t, kRayStages> work{};  ///< cycles of the cell's stages
 };
 
 /// From the values of its beats. Throws std::logic_error if they are not whole hits.

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstring>
-#include <initializer_list>
+#include <vector>
 
 #include "sw/rays/face.h"
 #include "sw/rays/split.h"
@@ -12,6 +12,7 @@
 namespace rc2::tb {
 
 constexpr int kSide = RC2_N;  // of the module that is tested
+#define RC2_RAY_DEPTH 4       // bounces that it is built for, rtl/rc2_pkg.sv
 
 /// A field of a packed struct.
 struct Field {
@@ -21,11 +22,10 @@ struct Field {
 
 /// Puts fields, the highest first, into a port of any width.
 template <class Port>
-void set_fields(Port& port, std::initializer_list<Field> fields) {
+void set_fields(Port& port, const std::vector<Field>& fields) {
   std::uint64_t limbs[8] = {};
   int at = 0;
-  for (const Field* field = fields.end(); field != fields.begin();) {
-    --field;
+  for (auto field = fields.rbegin(); field != fields.rend(); ++field) {
     for (int bit = 0; bit < field->width; ++bit, ++at)
       limbs[at / 64] |= static_cast<std::uint64_t>(field->value >> bit & 1) << at % 64;
   }
@@ -41,6 +41,31 @@ std::int64_t field_of(const Port& port, int at, int width, bool has_sign = true)
   for (int bit = 0; bit < width; ++bit)
     value |= static_cast<std::int64_t>(limbs[(at + bit) / 64] >> (at + bit) % 64 & 1) << bit;
   return has_sign && (value >> (width - 1) & 1) != 0 ? value - (std::int64_t{1} << width) : value;
+}
+
+/// The fields of a port one after another, the lowest first.
+class FieldsFromBelow {
+ public:
+  template <class Port>
+  explicit FieldsFromBelow(const Port& port) {
+    std::memcpy(limbs_, static_cast<const void*>(&port), sizeof port);
+  }
+  void skip(int width) { at_ += width; }
+  std::int64_t take(int width, bool has_sign = true) {
+    at_ += width;
+    return field_of(limbs_, at_ - width, width, has_sign);
+  }
+
+ private:
+  std::uint64_t limbs_[8] = {};
+  int at_ = 0;
+};
+
+/// Three fields of equal width, z the lowest.
+inline glm::ivec3 take_place(FieldsFromBelow& fields, int width) {
+  glm::ivec3 place;
+  for (int axis = 2; axis >= 0; --axis) place[axis] = static_cast<int>(fields.take(width));
+  return place;
 }
 
 template <class Top>
@@ -71,8 +96,38 @@ inline rays::Facet random_facet(scene::Random& random) {
   return facet;
 }
 
+/// Of any length up to that of all components one; one in four grazing an axis.
+inline rays::Ray any_ray(scene::Random& random) {
+  rays::Ray ray = random_ray(random, kSide);
+  if (random.below(4) == 0)
+    for (int axis = 0; axis < 3; ++axis)
+      ray.direction[axis] = (random.below(3) - 1) * (1 << rays::direction_fraction(kSide));
+  if (ray.direction == glm::ivec3(0)) ray.direction.z = -1;
+  if (random.below(4) == 0) ray.direction[random.below(3)] = random.below(3) - 1;
+  return ray;
+}
+
 constexpr int kHeightBits = rays::height_bits(kSide);
 constexpr int kApproachBits = rays::direction_fraction(kSide) + rays::kNormalFraction + 2;
-constexpr int kShareBits = 9, kIndexBits = 15;
+constexpr int kShareBits = 9, kIndexBits = 15, kWeightBits = 13;
+constexpr int kFaceBits = 3 * rays::kNormalBits + kHeightBits + kApproachBits + 2 + kFacetBits +
+                          2 * kShareBits + kIndexBits;
+
+/// rc2_pkg::start_t.
+inline std::vector<Field> start_fields(const rays::Ray& ray) {
+  const int at = coordinate_bits(kSide), place = rays::place_bits(kSide),
+            direction = rays::direction_bits(kSide);
+  return {{ray.home.x, at},
+          {ray.home.y, at},
+          {ray.node, RC2_RAY_DEPTH + 1},
+          {ray.inside ? 1 : 0, 1},
+          {ray.weight, kWeightBits},
+          {ray.origin.x, place},
+          {ray.origin.y, place},
+          {ray.origin.z, place},
+          {ray.direction.x, direction},
+          {ray.direction.y, direction},
+          {ray.direction.z, direction}};
+}
 
 }  // namespace rc2::tb

@@ -1,0 +1,101 @@
+// What a cell does with rays, in stages that work side by side (rtl/rays/rc2_ray_engine.sv).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "sw/cycle/ray_queues.h"
+#include "sw/cycle/ray_walk.h"
+#include "sw/cycle/rotate.h"
+
+namespace rc2::cycle {
+
+/// A ray and the age that it begins with.
+struct RayBegin {
+  rays::Ray ray;
+  std::int64_t age;
+};
+
+/// What the engines of all cells look things up in.
+struct RayWorld {
+  int n;
+  const Columns& columns;
+  const RayJob& job;
+  Pool<RayWalk>& rays;
+  RayCounts& counts;
+};
+
+/// What waits for the engine when the cycle begins.
+struct RayHeads {
+  std::array<std::optional<std::uint32_t>, ray_queue::kLaunched> rays{};
+  const RayBegin* spawned = nullptr;  ///< the next ray that is to begin here
+  bool has_launch_room = false;
+  bool has_spawn_room = false;
+};
+
+/// What it does in the cycle.
+struct RayDeeds {
+  bool takes_spawned = false;
+  std::optional<unsigned> ended{};          ///< the head of this queue goes no further
+  std::optional<std::uint32_t> launched{};  ///< has begun here, and goes on
+  std::optional<RayBegin> child{};          ///< is to begin here
+};
+
+class RayEngine {
+ public:
+  /// One cycle. A ray that goes on may do so from the next cycle on.
+  RayDeeds step(const RayWorld& world, const RayHeads& heads, std::int64_t cycle);
+
+  bool is_idle() const { return !launch_ && !read_ && !meet_ && !bend_ && !answer_; }
+
+  /// The ray that is to be answered in this cycle, if there is one, and what it could not begin
+  /// here.
+  struct Answer {
+    std::uint32_t ray;
+    std::int64_t taken;  // when the last stage took it
+    std::optional<rays::Ray> reflected, refracted;
+  };
+  const Answer* answer(std::int64_t cycle) const;
+  void let_answer_go() { answer_.reset(); }
+
+  /// Cycles that each stage cannot do without.
+  const std::array<std::int64_t, kRayStages>& work() const { return work_; }
+
+ private:
+  struct Stage {
+    std::uint32_t ray;
+    std::int64_t done_at;
+  };
+  struct Reading {
+    std::uint32_t ray;
+    unsigned from;
+    std::int64_t verdict_at;
+  };
+  // What the reader lets the look do.
+  struct Reader {
+    bool may_be_free;    // or is: told early in the cycle
+    bool is_free;        // told late
+    bool writes;         // a ray that it passes would go where the look's does
+    std::uint32_t held;  // it has the head of this queue, one bit
+  };
+
+  Reader read(const RayWorld& world, bool meet_takes, std::int64_t cycle, RayDeeds& deeds);
+  void look(const RayWorld& world, const RayHeads& heads, const Reader& reader, std::int64_t cycle,
+            RayDeeds& deeds);
+  void pass(const RayWorld& world, std::uint32_t ray, unsigned from, std::int64_t cycle,
+            RayDeeds& deeds);
+  void begin_child(const RayWorld& world, const RayHeads& heads, std::int64_t cycle,
+                   RayDeeds& deeds);
+
+  std::int64_t& work(RayStage stage) { return work_[static_cast<std::size_t>(stage)]; }
+
+  std::optional<Stage> launch_, meet_, bend_;
+  std::optional<Reading> read_;
+  std::optional<Answer> answer_;
+  Rotate turn_;
+  std::uint32_t to_read_ = 0;  // heads that are known to want the reader, one bit each
+  std::array<std::int64_t, kRayStages> work_{};
+};
+
+}  // namespace rc2::cycle
