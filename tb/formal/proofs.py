@@ -90,11 +90,13 @@ PROOFS = [
       for depth in (1, 2, 3, 4)),
     Proof("ray_way_nearer", "one way or there, each step nearer by a cell, x first", "rc2_ray_way", "all inputs",
           Fault("rays/rc2_ray_way.sv", "assign way_o[2] = valid_i && same_x", "assign way_o[2] = valid_i"), macros=USUAL),
-    Proof("divide_exact", "the quotient and whether there is a rest, or all ones", "rc2_divide", "bounded",
-          Fault("parts/rc2_divide.sv", "up_q >> 1);", "up_q);"), 9,
-          params=(("NumW", 8), ("DivW", 4), ("QuotW", 6))),
-    Proof("root_exact", "the root, rounded down", "rc2_root", "bounded",
-          Fault("parts/rc2_root.sv", "{root_q, 2'b01}", "{root_q, 2'b10}"), 9, params=(("RootW", 6),)),
+    *(Proof("divide_exact", "the quotient and whether there is a rest, or all ones", "rc2_divide", "bounded",
+            Fault("parts/rc2_divide.sv", "down[BitsW-2:0], !less[DivW]", "down[BitsW-2:0], less[DivW]"), 9,
+            params=(("NumW", 8), ("DivW", 4), ("QuotW", bits), ("Step", step)))
+      for bits, step in ((6, 1), (5, 2))),
+    *(Proof("root_exact", "the root, rounded down", "rc2_root", "bounded",
+            Fault("parts/rc2_root.sv", "{root, 2'b01}", "{root, 2'b10}"), 9, params=(("RootW", bits), ("Step", step)))
+      for bits, step in ((6, 1), (5, 2))),
     *(Proof("ray_run_voxels", "the voxels from where a ray came in to where it leaves, the next one first",
             "rc2_ray_run", "all inputs",
             Fault("rays/rc2_ray_run.sv", "(far < $signed(FloorW'(from)))", "(far > $signed(FloorW'(from)))"), macros=size,
