@@ -35,6 +35,7 @@ LightResult CycleMachine::light(const LightJob& job, const Progress& progress) {
 RayResult CycleMachine::trace(const RayJob& job, const Progress& progress) {
   check_rays(config_, job, read_voxels());
   std::vector<std::vector<Word>> words;
+  words.reserve(static_cast<std::size_t>(config_.feeders));
   for (int k = 0; k < config_.feeders; ++k)
     words.push_back(ray_word_sorts(config_, boxes_, job, k));
   const std::int64_t load_cycles =
