@@ -40,18 +40,19 @@ module rc2_ray_bend (
   localparam int unsigned Z = 3;
   localparam int unsigned Done = 4;
   localparam int unsigned Steps = 5;
-  logic [Steps-1:0] at_q, next;
+  logic [Steps-1:0] at;
   logic divided;
-  always_comb begin
-    next = at_q << 1;
-    if (at_q[Done] || (at_q[Divide] && !divided)) next = at_q;
-    if (start_i) next = Steps'(1);
-  end
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) at_q <= '0;
-    else at_q <= next;
-  end
-  assign done_o = at_q[Done];
+  rc2_steps #(
+      .Steps(Steps),
+      .Wait (Divide)
+  ) u_steps (
+      .clk_i  (clk_i),
+      .rst_ni (rst_ni),
+      .start_i(start_i),
+      .go_i   (divided),
+      .at_o   (at)
+  );
+  assign done_o = at[Done];
 
   logic [AmountW-1:0] size;
   logic [QuotientW-1:0] quotient;
@@ -81,25 +82,22 @@ module rc2_ray_bend (
   logic [DirW-1:0] direction, dx_q, dy_q, dz_q;
   assign wide = $signed(TurnW'(quotient));
   assign turn = back_q ? -wide - $signed(TurnW'(rest)) : wide;
-  assign normal = at_q[X] ? nx_i : at_q[Y] ? ny_i : nz_i;
-  assign from = at_q[X] ? from_x_i : at_q[Y] ? from_y_i : from_z_i;
+  assign normal = at[X] ? nx_i : at[Y] ? ny_i : nz_i;
+  assign from = at[X] ? from_x_i : at[Y] ? from_y_i : from_z_i;
   assign product = ProductW'(turn) * ProductW'($signed(normal));
   assign half = ProductW'(1) <<< (FracW - 1);
   assign bent = ProductW'($signed(from)) - ((product + half) >>> FracW);
   assign direction = DirW'((bent > One) ? One : (bent < -One) ? -One : bent);
   always_ff @(posedge clk_i) begin
     if (start_i) back_q <= amount_i[AmountW-1];
-    if (at_q[X]) dx_q <= direction;
-    if (at_q[Y]) dy_q <= direction;
-    if (at_q[Z]) dz_q <= direction;
+    if (at[X]) dx_q <= direction;
+    if (at[Y]) dy_q <= direction;
+    if (at[Z]) dz_q <= direction;
   end
   assign {dx_o, dy_o, dz_o} = {dx_q, dy_q, dz_q};
 
   // Contract: one direction at a time.
   always_ff @(posedge clk_i) begin
-    if (rst_ni) begin
-      assert ((at_q & (at_q - 1'b1)) == 0);
-      assert (!(start_i && at_q != 0 && !done_o));
-    end
+    if (rst_ni) assert (!(start_i && at != 0 && !done_o));
   end
 endmodule

@@ -114,7 +114,7 @@ module rc2_ray_home (
   assign ray_o = waiting;
 
   // ---- Hits --------------------------------------------------------------------------------------
-  logic [Nodes-1:0] have_q, todo_q, first;
+  logic [Nodes-1:0] have_q, todo_q;
   logic [NodeW-1:0] node;
   logic [HitW-1:0] hit;
   rc2_ram #(
@@ -156,17 +156,21 @@ module rc2_ray_home (
   end
 
   // ---- Readback ----------------------------------------------------------------------------------
-  logic reading_q, fetched_q, done_q, sent, of_counts;
+  logic reading_q, fetched_q, done_q, sent, any, of_counts;
   logic [HitWords-1:0] word_q;  // of the hit, one bit each
   logic [Counts-1:0] count_q;   // likewise
   logic [HitWords*ValueW-1:0] padded;
   logic [ValueW-1:0] value;
-  assign first = todo_q & (~todo_q + 1'b1);
-  assign of_counts = (todo_q == 0);
+  rc2_first #(
+      .Width(Nodes)
+  ) u_first (
+      .bits_i (todo_q),
+      .found_o(any),
+      .index_o(node)
+  );
+  assign of_counts = !any;
   assign padded = (HitWords * ValueW)'(hit);
   always_comb begin
-    node = '0;
-    for (int i = 0; i < Nodes; i++) if (first[i]) node = node | NodeW'(i);
     value = '0;
     for (int i = 0; i < HitWords; i++)
       value = value | (padded[i*ValueW+:ValueW] & {ValueW{word_q[i] && !of_counts}});
@@ -209,7 +213,7 @@ module rc2_ray_home (
     end else if (sent) begin
       if (of_counts) count_q <= count_q << 1;
       else word_q <= {word_q[HitWords-2:0], word_q[HitWords-1]};
-      if (!of_counts && word_q[HitWords-1]) todo_q <= todo_q & ~first;
+      if (!of_counts && word_q[HitWords-1]) todo_q <= todo_q & ~(Nodes'(1) << node);
     end
   end
   assign busy_o = reading_q || done_q;

@@ -37,18 +37,19 @@ module rc2_ray_meet (
   localparam int unsigned Z = 3;
   localparam int unsigned Done = 4;
   localparam int unsigned Steps = 5;
-  logic [Steps-1:0] at_q, next;
+  logic [Steps-1:0] at;
   logic divided;
-  always_comb begin
-    next = at_q << 1;
-    if (at_q[Done] || (at_q[Divide] && !divided)) next = at_q;
-    if (start_i) next = Steps'(1);
-  end
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) at_q <= '0;
-    else at_q <= next;
-  end
-  assign done_o = at_q[Done];
+  rc2_steps #(
+      .Steps(Steps),
+      .Wait (Divide)
+  ) u_steps (
+      .clk_i  (clk_i),
+      .rst_ni (rst_ni),
+      .start_i(start_i),
+      .go_i   (divided),
+      .at_o   (at)
+  );
+  assign done_o = at[Done];
 
   logic [QuotientW-1:0] quotient;
   logic rest, unused;
@@ -73,9 +74,9 @@ module rc2_ray_meet (
   logic signed [PlaceW-1:0] from, low, high, point, px_q, py_q, pz_q;
   logic [CoordW-1:0] voxel;
   logic signed [ProductW-1:0] product, half, reached;
-  assign along = at_q[X] ? ray_i.dx : at_q[Y] ? ray_i.dy : ray_i.dz;
-  assign from = $signed(at_q[X] ? ray_i.ox : at_q[Y] ? ray_i.oy : ray_i.oz);
-  assign voxel = at_q[X] ? vx_i : at_q[Y] ? vy_i : vz_i;
+  assign along = at[X] ? ray_i.dx : at[Y] ? ray_i.dy : ray_i.dz;
+  assign from = $signed(at[X] ? ray_i.ox : at[Y] ? ray_i.oy : ray_i.oz);
+  assign voxel = at[X] ? vx_i : at[Y] ? vy_i : vz_i;
   assign product = ProductW'($signed({1'b0, quotient})) * ProductW'($signed(along));
   assign half = ProductW'(1) <<< (FracW - 1);
   assign reached = ProductW'(from) + ((product + half) >>> FracW);
@@ -83,17 +84,14 @@ module rc2_ray_meet (
   assign high = $signed(PlaceW'({voxel, {PlaceFracW{1'b0}}})) + $signed(PlaceW'((3 << (PlaceFracW - 1)) - 1));
   assign point = (reached < ProductW'(low)) ? low : (reached > ProductW'(high)) ? high : PlaceW'(reached);
   always_ff @(posedge clk_i) begin
-    if (at_q[X]) px_q <= point;
-    if (at_q[Y]) py_q <= point;
-    if (at_q[Z]) pz_q <= point;
+    if (at[X]) px_q <= point;
+    if (at[Y]) py_q <= point;
+    if (at[Z]) pz_q <= point;
   end
   assign {px_o, py_o, pz_o} = {px_q, py_q, pz_q};
 
   // Contract: one point at a time.
   always_ff @(posedge clk_i) begin
-    if (rst_ni) begin
-      assert ((at_q & (at_q - 1'b1)) == 0);
-      assert (!(start_i && at_q != 0 && !done_o));
-    end
+    if (rst_ni) assert (!(start_i && at != 0 && !done_o));
   end
 endmodule

@@ -57,16 +57,20 @@ module rc2_ray_read (
   assign new_start = ray_i.start;
 
   // ---- The next voxel -----------------------------------------------------------------------------
-  logic [N-1:0] todo, first;
-  logic [CoordW-1:0] z, read_z_q, judge_z_q;
+  logic [N-1:0] todo;
+  logic any;
+  logic [CoordW-1:0] first, z, read_z_q, judge_z_q;
   logic down, fetch, read_q, judge_q, read_occupied_q, judge_occupied_q;
   assign todo = (todo_q != 0) ? todo_q : todo_i;
   assign down = (todo_q != 0) ? start.dz[DirW-1] : new_start.dz[DirW-1];
-  assign first = todo & (~todo + 1'b1);
-  always_comb begin
-    z = '0;
-    for (int i = 0; i < N; i++) if (first[i]) z = z | (down ? CoordW'(N - 1 - i) : CoordW'(i));
-  end
+  rc2_first #(
+      .Width(N)
+  ) u_first (
+      .bits_i (todo),
+      .found_o(any),
+      .index_o(first)
+  );
+  assign z = down ? CoordW'(N - 1) - first : first;
   assign addr_o = z;
 
   // ---- Planes and verdict ---------------------------------------------------------------------------
@@ -158,9 +162,9 @@ module rc2_ray_read (
     end else begin
       reading_q <= (take_i && todo_i != 0) || (reading_q && !passes && !ends);
       ended_q   <= (take_i && todo_i == 0) || ends || (ended_q && !leaves);
-      read_q    <= fetch && (take_i || todo_q != 0) && (todo != 0);
+      read_q    <= fetch && (take_i || todo_q != 0) && any;
       judge_q   <= read_q && !ends;
-      todo_q    <= (fetch && (take_i || todo_q != 0)) ? todo & ~first : '0;
+      todo_q    <= (fetch && (take_i || todo_q != 0)) ? todo & ~(N'(1) << first) : '0;
     end
     if (take_i) begin
       ray_q     <= ray_i;

@@ -47,18 +47,19 @@ module rc2_ray_snell (
   localparam int unsigned Root = 10;
   localparam int unsigned Done = 11;
   localparam int unsigned Steps = 12;
-  logic [Steps-1:0] at_q, next;
+  logic [Steps-1:0] at;
   logic rooted;
-  always_comb begin
-    next = at_q << 1;
-    if (at_q[Done] || (at_q[Root] && !rooted)) next = at_q;
-    if (start_i) next = Steps'(1);
-  end
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) at_q <= '0;
-    else at_q <= next;
-  end
-  assign done_o = at_q[Done];
+  rc2_steps #(
+      .Steps(Steps),
+      .Wait (Root)
+  ) u_steps (
+      .clk_i  (clk_i),
+      .rst_ni (rst_ni),
+      .start_i(start_i),
+      .go_i   (rooted),
+      .at_o   (at)
+  );
+  assign done_o = at[Done];
 
   // ---- The multiplier ----------------------------------------------------------------------------------
   logic signed [WideW-1:0] wide, sine_q, sine, full, less;
@@ -70,14 +71,14 @@ module rc2_ray_snell (
   always_comb begin
     wide = WideW'(sine_q);
     narrow = ratio;
-    if (at_q[SquareX]) {wide, narrow} = {WideW'($signed(face_i.x)), NarrowW'($signed(face_i.x))};
-    if (at_q[SquareY]) {wide, narrow} = {WideW'($signed(face_i.y)), NarrowW'($signed(face_i.y))};
-    if (at_q[SquareZ]) {wide, narrow} = {WideW'($signed(face_i.z)), NarrowW'($signed(face_i.z))};
-    if (at_q[Cosine]) {wide, narrow} = {WideW'(approach), approach};
-    if (at_q[Amount]) wide = WideW'(approach);
-    if (at_q[ScaleX]) wide = WideW'($signed(ray_i.dx));
-    if (at_q[ScaleY]) wide = WideW'($signed(ray_i.dy));
-    if (at_q[ScaleZ]) wide = WideW'($signed(ray_i.dz));
+    if (at[SquareX]) {wide, narrow} = {WideW'($signed(face_i.x)), NarrowW'($signed(face_i.x))};
+    if (at[SquareY]) {wide, narrow} = {WideW'($signed(face_i.y)), NarrowW'($signed(face_i.y))};
+    if (at[SquareZ]) {wide, narrow} = {WideW'($signed(face_i.z)), NarrowW'($signed(face_i.z))};
+    if (at[Cosine]) {wide, narrow} = {WideW'(approach), approach};
+    if (at[Amount]) wide = WideW'(approach);
+    if (at[ScaleX]) wide = WideW'($signed(ray_i.dx));
+    if (at[ScaleY]) wide = WideW'($signed(ray_i.dy));
+    if (at[ScaleZ]) wide = WideW'($signed(ray_i.dz));
   end
   assign product = ProductW'(wide) * ProductW'(narrow);
   assign half = ProductW'(1) <<< (IndexFracW - 1);
@@ -94,7 +95,7 @@ module rc2_ray_snell (
   ) u_root (
       .clk_i   (clk_i),
       .rst_ni  (rst_ni),
-      .start_i (at_q[SineTwice]),
+      .start_i (at[SineTwice]),
       .square_i((2 * RootW)'($unsigned(less)) << DirFracW),
       .done_o  (rooted),
       .root_o  (root)
@@ -104,23 +105,20 @@ module rc2_ray_snell (
   logic signed [BentW-1:0] scaled, scaled_x_q, scaled_y_q, scaled_z_q;
   assign scaled = BentW'((product + half) >>> IndexFracW);
   always_ff @(posedge clk_i) begin
-    if (at_q[SquareX]) square_q <= SquareW'(product);
-    if (at_q[SquareY] || at_q[SquareZ]) square_q <= square_q + SquareW'(product);
-    if (at_q[Cosine]) sine_q <= sine[WideW-1] ? '0 : sine;
-    if (at_q[SineOnce]) sine_q <= WideW'(product >>> IndexFracW);
-    if (at_q[SineTwice]) none_q <= less[WideW-1];
-    if (at_q[Amount]) less_q <= AmountW'(product >>> IndexFracW);
-    if (at_q[ScaleX]) scaled_x_q <= scaled;
-    if (at_q[ScaleY]) scaled_y_q <= scaled;
-    if (at_q[ScaleZ]) scaled_z_q <= scaled;
+    if (at[SquareX]) square_q <= SquareW'(product);
+    if (at[SquareY] || at[SquareZ]) square_q <= square_q + SquareW'(product);
+    if (at[Cosine]) sine_q <= sine[WideW-1] ? '0 : sine;
+    if (at[SineOnce]) sine_q <= WideW'(product >>> IndexFracW);
+    if (at[SineTwice]) none_q <= less[WideW-1];
+    if (at[Amount]) less_q <= AmountW'(product >>> IndexFracW);
+    if (at[ScaleX]) scaled_x_q <= scaled;
+    if (at[ScaleY]) scaled_y_q <= scaled;
+    if (at[ScaleZ]) scaled_z_q <= scaled;
   end
   assign none_o = none_q;
   assign square_o = square_q;
   assign amount_o = $signed(AmountW'(root)) - less_q;
   assign {scaled_x_o, scaled_y_o, scaled_z_o} = {scaled_x_q, scaled_y_q, scaled_z_q};
 
-  // Contract: one thing at a time.
-  always_ff @(posedge clk_i) begin
-    if (rst_ni) assert ((at_q & (at_q - 1'b1)) == 0);
-  end
+  // Contract: that of rc2_steps and of rc2_root.
 endmodule

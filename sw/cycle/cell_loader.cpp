@@ -1,7 +1,5 @@
 #include "sw/cycle/cell_loader.h"
 
-#include "sw/machine/host_word.h"
-
 namespace rc2::cycle {
 
 bool CellLoader::ready(const Word& word) const {
@@ -29,7 +27,7 @@ void CellLoader::step_seek(const Word* word, bool taken) {
   } else if (word != nullptr && taken && word->kind == WordKind::head) {
     z_span_ = word->z_span;
   } else if (word != nullptr && taken && word->kind == WordKind::ray &&
-             word->d == static_cast<std::int64_t>(RaySort::shares)) {
+             word->sort == RaySort::shares) {
     seeking_ = z_span_ + 2;
   }
 }

@@ -32,7 +32,8 @@ struct Slope {
 };
 
 /// How many runs a table holds, of columns of n voxels (rtl/rc2_pkg.sv).
-constexpr int table_runs(int n) { return n > 128 ? 8 : 6; }
+constexpr int kMostTableRuns = 8;
+constexpr int table_runs(int n) { return n > 128 ? kMostTableRuns : 6; }
 
 /// A few runs of stopping voxels as intervals of targets, in order: what a beam needs to know of
 /// the column. A column with more runs has its table filled anew where a beam asks for it.
@@ -56,7 +57,7 @@ class StopTable {
   Passage pass(Targets targets) const;
 
  private:
-  std::array<Targets, 8> runs_;
+  std::array<Targets, kMostTableRuns> runs_;
   int count_ = 0;
   Targets known_{0, -1};
   std::int64_t ready_ = 0;

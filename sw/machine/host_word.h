@@ -60,10 +60,6 @@ struct WordFormat {
   static int home_bits(std::int64_t distance) { return bits_for(24 * distance * distance + 3); }
 };
 
-/// What a RAY word says: of the facet of the HEAD before it, or of the first ray of the cell's
-/// pixel.
-enum class RaySort : std::uint8_t { normal = 0, shares = 1, origin = 2, direction = 3 };
-
 /// A field of a word.
 struct Field {
   std::int64_t value;

@@ -141,7 +141,7 @@ std::vector<Word> ray_word_sorts(const MachineConfig& config, const std::vector<
       config, boxes, job, feeder, [&](const Word& head) { words.push_back(head); },
       [&](RaySort sort, const Fields&) {
         words.push_back({WordKind::ray});
-        words.back().d = static_cast<std::int64_t>(sort);
+        words.back().sort = sort;
       });
   return words;
 }

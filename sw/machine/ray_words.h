@@ -26,7 +26,7 @@ std::vector<HostWord> ray_words(const MachineConfig& config, const std::vector<F
                                 const RayJob& job, int feeder);
 
 /// The same words with their fields apart, as the cycle model moves them. Of a RAY word it knows
-/// the sort, which stands where other words have d.
+/// the sort only.
 std::vector<Word> ray_word_sorts(const MachineConfig& config, const std::vector<FacetBox>& boxes,
                                  const RayJob& job, int feeder);
 

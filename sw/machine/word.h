@@ -22,6 +22,10 @@ enum class WordKind : std::uint8_t {
   ray = 7
 };
 
+/// What a RAY word says: of the facet of the HEAD before it, or of the first ray of the cell's
+/// pixel.
+enum class RaySort : std::uint8_t { normal = 0, shares = 1, origin = 2, direction = 3 };
+
 /// The fields called `lead` in rtl stand once for each pipe: [0] the cells of a row, [1] the rows
 /// of a feeder.
 struct Word {
@@ -37,6 +41,7 @@ struct Word {
   std::int64_t c = 0, d = 0;
   std::int64_t reach = 0;                          ///< HEAD: width of the slab; SIDE: push
   facet::Surface surface = facet::Surface::solid;  ///< GAP
+  RaySort sort = RaySort::normal;                  ///< RAY
 };
 
 }  // namespace rc2

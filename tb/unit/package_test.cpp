@@ -13,6 +13,7 @@
 #include "sw/facet/packet.h"
 #include "sw/machine/host_word.h"
 #include "sw/machine/word.h"
+#include "sw/rays/ray.h"
 
 namespace rc2::cycle {
 namespace {
@@ -55,7 +56,7 @@ std::map<std::string, int> codes() {
   std::map<std::string, int> found;
   const std::string text = package();
   const std::regex entry(
-      R"(localparam logic \[\d+:0\] ((?:Kind|Read|Layer|Surface)\w+) = \d'd(\d+);)");
+      R"(localparam logic \[\d+:0\] ((?:Kind|Read|Layer|Surface|Sort|Body)\w+) = \d'd(\d+);)");
   for (std::sregex_iterator it(text.begin(), text.end(), entry), end; it != end; ++it) {
     found[(*it)[1]] = std::stoi((*it)[2]);
   }
@@ -90,6 +91,12 @@ TEST(Codes, AreTheHardwares) {
       {"SurfaceSolid", number(facet::Surface::solid)},
       {"SurfaceSheet", number(facet::Surface::sheet)},
       {"SurfaceCrowd", number(facet::Surface::crowd)},
+      {"SortNormal", number(RaySort::normal)},
+      {"SortShares", number(RaySort::shares)},
+      {"SortOrigin", number(RaySort::origin)},
+      {"SortDirection", number(RaySort::direction)},
+      {"BodyRoom", number(rays::Body::room)},
+      {"BodySheet", number(rays::Body::sheet)},
   };
   EXPECT_EQ(codes(), expected);
 }
