@@ -21,11 +21,12 @@ class Build:
     f: int = FRACTION
     layers: int = 0
     skips: int = 1
+    rays: int = 0
 
     def design(self, folder, top, apart=()):
         return Design(ROOT, folder, top, {
             "N": self.n, "F": self.f, "LMAX": self.reach * self.n, "FAMAX": self.fa, "THESIS": int(self.mode == "thesis"),
-            "LAYERS": self.layers, "COUNTS": 0, **({} if self.skips else {"SKIPS": 0})}, apart)
+            "LAYERS": self.layers, "COUNTS": 0, **({} if self.skips else {"SKIPS": 0}), **({"RAYS": 1} if self.rays else {})}, apart)
 
     @property
     def shared(self):

@@ -32,7 +32,7 @@ def units(found):
                 f"{100 * of['flip_flops'] * FLIP_FLOP / of['area']:.0f} %", of["memory_bits"], *path(of["path"]))
 
     names = {"fast": "Light in lanes", "thesis": "The thesis's light", "load": "Column, loading, readback: in both cells",
-             "layers": "Column with layers, as accurate light wants it"}
+             "layers": "Column with layers, as accurate light wants it", "rays": "Rays"}
     yield f"## Units alone, n = {SIDE}, FA = {QUEUE}"
     yield ""
     for part, title in names.items():
