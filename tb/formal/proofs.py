@@ -113,7 +113,7 @@ PROOFS = [
     Proof("thesis_light_ends", "no target is lost, the light ends, all targets are home then and not before",
           "rc2_grid_thesis", "bounded", Fault("light/rc2_diffuser.sv", "assign own_push = go && own;",
                                               "assign own_push = go && own && (count != 1);"),
-          41, params=(("Cycles", 40),), macros=(("N", 2), ("LMAX", 1), ("FAMAX", 1), ("THESIS", 1)),
+          41, params=(("Cycles", 40),), macros=(("N", 2), ("LMAX", 2), ("FAMAX", 1), ("THESIS", 1)),
           stubs=("any_voxels",), abc=True, fast=False),
     Proof("lanes_light_ends", "the light ends, nothing moves afterwards, every voxel where a target's ray ends is lit",
           "rc2_grid", "bounded", Fault("lanes/rc2_side_lane.sv", "assign go = !passes || ((wanted & ~room_i) == 0);",
