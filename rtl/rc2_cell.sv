@@ -73,19 +73,21 @@ module rc2_cell (
     output logic           [rc2_pkg::MatrixW-1:0] z_x_o,
     output logic           [rc2_pkg::MatrixW-1:0] z_y_o,
     output logic           [rc2_pkg::MatrixW-1:0] z_xy_o,
-    // how far the scene reaches in each quadrant, from the neighbour in direction e, n, w, s
-    input  logic           [rc2_pkg::ReachW-1:0] ne_e_i,
-    input  logic           [rc2_pkg::ReachW-1:0] ne_n_i,
-    input  logic           [rc2_pkg::ReachW-1:0] nw_w_i,
-    input  logic           [rc2_pkg::ReachW-1:0] nw_n_i,
-    input  logic           [rc2_pkg::ReachW-1:0] sw_w_i,
-    input  logic           [rc2_pkg::ReachW-1:0] sw_s_i,
-    input  logic           [rc2_pkg::ReachW-1:0] se_e_i,
-    input  logic           [rc2_pkg::ReachW-1:0] se_s_i,
-    output logic           [rc2_pkg::ReachW-1:0] ne_o,
-    output logic           [rc2_pkg::ReachW-1:0] nw_o,
-    output logic           [rc2_pkg::ReachW-1:0] sw_o,
-    output logic           [rc2_pkg::ReachW-1:0] se_o,
+    // how far the scene reaches (rc2_extents): in each quadrant, and seen from the light
+    input  logic           [               1:0] quadrants_e_i,
+    input  logic           [               1:0] quadrants_n_i,
+    input  logic           [               1:0] quadrants_w_i,
+    input  logic           [               1:0] quadrants_s_i,
+    output logic           [               3:0] quadrants_o,
+    input  logic           [rc2_pkg::ReachW-1:0] reach0_i,
+    input  logic           [rc2_pkg::ReachW-1:0] reach1_i,
+    input  logic           [rc2_pkg::ReachW-1:0] reach2_i,
+    input  logic           [rc2_pkg::ReachW-1:0] reach3_i,
+    input  logic           [rc2_pkg::ReachW-1:0] reach4_i,
+    input  logic           [rc2_pkg::ReachW-1:0] reach5_i,
+    input  logic           [rc2_pkg::ReachW-1:0] reach6_i,
+    input  logic           [rc2_pkg::ReachW-1:0] reach7_i,
+    output logic           [rc2_pkg::ReachW-1:0] reach_o,
     // links of the rays, by the way that a message goes: E W N S
     input  logic           [ rc2_pkg::LinkW-1:0] ray0_i,
     input  logic           [ rc2_pkg::LinkW-1:0] ray1_i,
@@ -232,35 +234,45 @@ module rc2_cell (
   // ---- What light can still meet here and further on ---------------------------------------------
   logic [CoordW-1:0] beyond_min, beyond_max;
   logic beyond;  // there is anything
-  assign beyond = (beyond_min <= beyond_max);
   if (rc2_pkg::SKIPS) begin : g_extents
     rc2_extents u_extents (
-        .clk_i   (clk_i),
-        .rst_ni  (rst_ni),
-        .clear_i (clear_i),
-        .fill_i  (fill),
-        .fill_z_i(fill_z),
-        .ne_e_i  (ne_e_i),
-        .ne_n_i  (ne_n_i),
-        .nw_w_i  (nw_w_i),
-        .nw_n_i  (nw_n_i),
-        .sw_w_i  (sw_w_i),
-        .sw_s_i  (sw_s_i),
-        .se_e_i  (se_e_i),
-        .se_s_i  (se_s_i),
-        .ne_o    (ne_o),
-        .nw_o    (nw_o),
-        .sw_o    (sw_o),
-        .se_o    (se_o),
-        .east_i  (east),
-        .west_i  (west),
-        .north_i (north),
-        .south_i (south),
-        .min_o   (beyond_min),
-        .max_o   (beyond_max)
+        .clk_i      (clk_i),
+        .rst_ni     (rst_ni),
+        .clear_i    (clear_i),
+        .fill_i     (fill),
+        .fill_z_i   (fill_z),
+        .e_i        (quadrants_e_i),
+        .n_i        (quadrants_n_i),
+        .w_i        (quadrants_w_i),
+        .s_i        (quadrants_s_i),
+        .quadrants_o(quadrants_o),
+        .start_i    (start_i),
+        .active_i   (pace_i.active),
+        .zs_i       (light_i.zs),
+        .distance_i (distance),
+        .east_i     (east),
+        .west_i     (west),
+        .north_i    (north),
+        .south_i    (south),
+        .wide_i     (far_x > far_y),
+        .tall_i     (far_y > far_x),
+        .reach0_i   (reach0_i),
+        .reach1_i   (reach1_i),
+        .reach2_i   (reach2_i),
+        .reach3_i   (reach3_i),
+        .reach4_i   (reach4_i),
+        .reach5_i   (reach5_i),
+        .reach6_i   (reach6_i),
+        .reach7_i   (reach7_i),
+        .reach_o    (reach_o),
+        .beyond_o   (beyond),
+        .min_o      (beyond_min),
+        .max_o      (beyond_max)
     );
   end else begin : g_anything
-    assign {ne_o, nw_o, sw_o, se_o} = {4{rc2_pkg::NoReach}};
+    assign quadrants_o = '0;
+    assign reach_o = rc2_pkg::NoReach;
+    assign beyond = 1'b1;
     assign beyond_min = '0;
     assign beyond_max = CoordW'(N - 1);
   end

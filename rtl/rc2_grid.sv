@@ -118,7 +118,8 @@ module rc2_grid (
       rc2_pkg::lane_t s, d;  // straight, diagonal
       logic [MatrixW-1:0] zx, zy, zd;
       logic [HomeW-1:0] home, skipped;
-      logic [ReachW-1:0] ne, nw, sw, se;
+      logic [3:0] quadrants;
+      logic [ReachW-1:0] reach;
       logic [LinkW-1:0] ray0, ray1, ray2, ray3;  // by the way that a message goes: E W N S
       logic [4*LinkRoomW-1:0] ray_room;
       logic wv, wr, busy;  // word to the east, ready to the west
@@ -135,10 +136,8 @@ module rc2_grid (
         assign zd = '0;
         assign home = '0;
         assign skipped = '0;
-        assign ne = rc2_pkg::NoReach;
-        assign nw = rc2_pkg::NoReach;
-        assign sw = rc2_pkg::NoReach;
-        assign se = rc2_pkg::NoReach;
+        assign quadrants = '0;
+        assign reach = rc2_pkg::NoReach;
         assign busy = 1'b0;
         assign ray0 = '0;
         assign ray1 = '0;
@@ -230,18 +229,20 @@ module rc2_grid (
             .z_x_o       (zx),
             .z_y_o       (zy),
             .z_xy_o      (zd),
-            .ne_e_i      (g[y].c[x+1].ne),
-            .ne_n_i      (g[y+1].c[x].ne),
-            .nw_w_i      (g[y].c[x-1].nw),
-            .nw_n_i      (g[y+1].c[x].nw),
-            .sw_w_i      (g[y].c[x-1].sw),
-            .sw_s_i      (g[y-1].c[x].sw),
-            .se_e_i      (g[y].c[x+1].se),
-            .se_s_i      (g[y-1].c[x].se),
-            .ne_o        (ne),
-            .nw_o        (nw),
-            .sw_o        (sw),
-            .se_o        (se),
+            .quadrants_e_i({g[y].c[x+1].quadrants[3], g[y].c[x+1].quadrants[0]}),
+            .quadrants_n_i({g[y+1].c[x].quadrants[1], g[y+1].c[x].quadrants[0]}),
+            .quadrants_w_i({g[y].c[x-1].quadrants[2], g[y].c[x-1].quadrants[1]}),
+            .quadrants_s_i({g[y-1].c[x].quadrants[3], g[y-1].c[x].quadrants[2]}),
+            .quadrants_o (quadrants),
+            .reach0_i    (g[y].c[x+1].reach),
+            .reach1_i    (g[y+1].c[x+1].reach),
+            .reach2_i    (g[y+1].c[x].reach),
+            .reach3_i    (g[y+1].c[x-1].reach),
+            .reach4_i    (g[y].c[x-1].reach),
+            .reach5_i    (g[y-1].c[x-1].reach),
+            .reach6_i    (g[y-1].c[x].reach),
+            .reach7_i    (g[y-1].c[x+1].reach),
+            .reach_o     (reach),
             .ray0_i      (g[y].c[x-1].ray0),
             .ray1_i      (g[y].c[x+1].ray1),
             .ray2_i      (g[y-1].c[x].ray2),

@@ -103,7 +103,7 @@ module rc2_machine (
   assign m_axis_tlast = (word[rc2_pkg::RowWordW-1-:rc2_pkg::KindW] == rc2_pkg::KindRead);
   assign m_axis_tdata = ReadW'(word[rc2_pkg::DataW-1:0]);
 
-  // After a load the cells need up to 2N cycles to learn how far the scene reaches (rc2_extents).
+  // After a load the cells need up to 2N cycles to learn where there is anything (rc2_extents).
   localparam int unsigned SettleW = $clog2(2 * rc2_pkg::N + 1);
   logic settling;
   if (rc2_pkg::SKIPS && !rc2_pkg::THESIS) begin : g_settle

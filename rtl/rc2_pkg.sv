@@ -294,9 +294,17 @@ package rc2_pkg;
     logic              up;
   } cut_t;
 
-  // Highest and lowest layer of something; nothing if the lowest is the higher.
-  localparam int unsigned ReachW = 2 * CoordW;
-  localparam logic [ReachW-1:0] NoReach = {CoordW'(0), CoordW'(N - 1)};
+  // Tilt of a ray, layers up or down for each cell outward (rc2_extents): with CoordW + 1 bits of
+  // fraction a bound is off by less than half a layer 2N-1 half cells away; 8 and more are all ones.
+  localparam int unsigned TiltFracW = CoordW + 1;
+  localparam int unsigned TiltSizeW = TiltFracW + 3;
+  localparam int unsigned TiltW = TiltSizeW + 1;  // signed
+  localparam logic [TiltW-1:0] TiltMost = {1'b0, {TiltSizeW{1'b1}}};
+
+  // What a cell says of its sector: whether it knows, highest and lowest tilt that can meet something;
+  // nothing can if the lowest is the higher.
+  localparam int unsigned ReachW = 1 + 2 * TiltW;
+  localparam logic [ReachW-1:0] NoReach = {1'b1, TiltW'(-TiltMost), TiltMost};
 
   // A side beam: V targets of a column, U targets of some classes. `edge_u` is one target more, U =
   // L or -L, which only x beams have, on the diagonals.

@@ -26,7 +26,8 @@ module rc2_side_lane (
     input  rc2_pkg::cut_t                     along_x_i,  // classes of this step's x targets
     input  rc2_pkg::cut_t                     along_y_i,
     input  logic        [rc2_pkg::N-1:0] stops_i,
-    // layers with anything that light can still meet, if there is anything
+    // layers in which light can still meet something, if there are any; what counts is what the cell
+    // knows in the cycle before it is told of its step
     input  logic                              beyond_i,
     input  logic        [rc2_pkg::CoordW-1:0] low_i,
     input  logic        [rc2_pkg::CoordW-1:0] high_i,
@@ -165,7 +166,7 @@ module rc2_side_lane (
     if (StopW'($signed(chosen.vmax)) > clip_max) clipped.vmax = TargetW'(clip_max);
   end
   logic left;
-  assign left = beyond_i && ($signed(clipped.vmin) <= $signed(clipped.vmax));
+  assign left = ($signed(clipped.vmin) <= $signed(clipped.vmax));
 
   // ---- The beam that is served -------------------------------------------------------------------
   /*verilator tracing_on*/
@@ -185,6 +186,7 @@ module rc2_side_lane (
       .zs_i      (light_i.zs),
       .distance_i(light_i.distance),
       .stops_i   (stops_i),
+      .beyond_i  (beyond_i),
       .low_i     (low_i),
       .high_i    (high_i),
       .clip_min_o(clip_min),

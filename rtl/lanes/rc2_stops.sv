@@ -20,10 +20,11 @@ module rc2_stops (
     input  logic        [rc2_pkg::CoordW-1:0] zs_i,
     input  logic        [rc2_pkg::DistanceW-1:0] distance_i,
     input  logic        [rc2_pkg::N-1:0] stops_i,
-    // layers with anything that light can still meet
+    // layers in which light can still meet something, if there are any: those in the cycle before set_i
+    input  logic                              beyond_i,
     input  logic        [rc2_pkg::CoordW-1:0] low_i,
     input  logic        [rc2_pkg::CoordW-1:0] high_i,
-    // targets that are in those layers here, or between them and the light's
+    // targets that are in those layers here
     output logic signed [rc2_pkg::StopW-1:0] clip_min_o,
     output logic signed [rc2_pkg::StopW-1:0] clip_max_o,
     // what becomes of targets min_i .. max_i, see StopTable::Passage in sw/cycle/stop_table.h
@@ -63,19 +64,20 @@ module rc2_stops (
   assign clip_max_o = clip_max_q;
 
   // ---- The voxels that rays can be at, as far as it is worth while ---------------------------------
-  logic signed [WideW-1:0] source_z, steps, lowest, highest;
-  logic [CountW-1:0] first_z, last_z, from_q;
+  logic signed [WideW-1:0] source_z, steps, lowest, highest, low, high;
+  logic [CountW-1:0] first_z, last_z, from_q, last_q;
+  logic some, some_q;
   assign source_z = WideW'(zs_i);
   assign steps = WideW'(step_i);
   assign lowest = source_z - steps;
   assign highest = source_z + steps;
-  logic [CoordW-1:0] low, high;
-  assign low = (low_i < zs_i) ? low_i : zs_i;
-  assign high = (high_i > zs_i) ? high_i : zs_i;
-  // Steady long before set_i, so a register takes them off the search's path.
+  assign low = WideW'(low_i);
+  assign high = WideW'(high_i);
+  // A register takes them off the search's path.
   always_ff @(posedge clk_i) begin
-    first_z <= (lowest < $signed(WideW'(low))) ? CountW'(low) : CountW'(lowest);
-    last_z  <= (highest > $signed(WideW'(high))) ? CountW'(high) : CountW'(highest);
+    first_z <= (lowest < low) ? CountW'(low) : CountW'(lowest);
+    last_z  <= (highest > high) ? CountW'(high) : CountW'(highest);
+    some    <= beyond_i && (low <= highest) && (lowest <= high);
   end
 
   // ---- Runs --------------------------------------------------------------------------------------
@@ -88,13 +90,13 @@ module rc2_stops (
       .first_o(run_first),
       .end_o  (run_end)
   );
-  assign run_here = run_found && (run_first <= last_z);
+  assign run_here = run_found && (run_first <= last_q);
 
   // ---- From voxels to targets: the lowest target at or above a voxel, and of the one above it ----
   logic [CountW-1:0] low_voxel, high_voxel;
   logic signed [WideW-1:0] low_z, high_z;
   assign low_voxel = (state_q == Find) ? from_q : run_first_q;
-  assign high_voxel = (state_q == Find) ? last_z + 1'b1 : run_end_q;
+  assign high_voxel = (state_q == Find) ? last_q + 1'b1 : run_end_q;
   assign low_z = WideW'(low_voxel) - source_z;
   assign high_z = WideW'(high_voxel) - source_z;
   logic signed [StopW-1:0] low_border, high_border, low_target, high_target, far;
@@ -192,6 +194,8 @@ module rc2_stops (
       ratio_q   <= ratio_i;
       slope_q   <= slope_i;
       from_q    <= first_z;
+      last_q    <= last_z;
+      some_q    <= some;
       clipped_q <= 1'b0;
     end
     if (state_q == Find) begin
@@ -199,8 +203,8 @@ module rc2_stops (
       clipped_q   <= 1'b1;
       known_min_q <= low_target;
       if (!clipped_q) begin
-        clip_min_q <= low_target;
-        clip_max_q <= high_target - 1'b1;
+        clip_min_q <= some_q ? low_target : '0;
+        clip_max_q <= some_q ? high_target - 1'b1 : '1;  // -1
       end
     end
     if (state_q == Find || fill) begin

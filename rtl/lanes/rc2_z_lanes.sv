@@ -79,12 +79,6 @@ module rc2_z_lanes (
   // After its last layer a front is out of the cube. A cell without light keeps its registers still.
   assign next_any = !pace_i.last && (next != 0);
 
-  logic next_up;
-  logic [rc2_pkg::CoordW-1:0] higher, lower;
-  assign next_up = !pace_i.active || !pace_i.first;
-  assign higher = next_up ? max_i : pace_i.next_layer;
-  assign lower = next_up ? pace_i.next_layer : min_i;
-
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       up_q       <= '0;
@@ -106,7 +100,7 @@ module rc2_z_lanes (
       end
     end
     stop_q  <= stops_i[pace_i.next_layer];
-    worth_q <= beyond_i && (higher >= lower);
+    worth_q <= beyond_i && (min_i <= pace_i.next_layer) && (pace_i.next_layer <= max_i);
     z_q     <= pace_i.next_layer;
   end
 

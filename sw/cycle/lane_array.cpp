@@ -56,10 +56,12 @@ LightResult LaneArray::run(const LightJob& job, const QueueObserver& observer,
   columns_.darken();
   result.prepare_cycles = prepare(job, n_, columns_);
   history_.start();
-  const std::vector<Extent> beyond =
-      skips_ ? extents_.beyond(job.source) : std::vector<Extent>(columns_.size(), {0, n_ - 1});
-  z_.run(job, classes, beyond);
-  side_.start(job, classes, beyond);
+  const Extent all{0, n_ - 1};
+  const std::vector<Outlook> outlooks = skips_
+                                            ? extents_.seen_from(job.source)
+                                            : std::vector<Outlook>(columns_.size(), {all, all, 0});
+  z_.run(job, classes, outlooks);
+  side_.start(job, classes, outlooks);
 
   std::int64_t cycle = 0, still = 0;
   while (side_.busy()) {

@@ -30,7 +30,7 @@ SideLane::SideLane(int n, Columns& columns)
 }
 
 void SideLane::start(const LightJob& light, const Classes& classes,
-                     const std::vector<Extent>& beyond) {
+                     const std::vector<Outlook>& outlooks) {
   light_ = light;
   classes_ = &classes;
   const auto depth = static_cast<std::size_t>(light.fa + 1) / 2;
@@ -40,7 +40,7 @@ void SideLane::start(const LightJob& light, const Classes& classes,
   }
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     Cell& cell = cells_[i];
-    cell.beyond = beyond[i];
+    cell.beyond = outlooks[i].in(told(cell) - 1);
     cell.table_made = cell.serving = false;
     cell.first = cell.count = {};
   }
@@ -61,12 +61,6 @@ void SideLane::start(const LightJob& light, const Classes& classes,
 
 int SideLane::steps(const Cell& cell) const {
   return std::max(std::abs(cell.x - light_.source.x), std::abs(cell.y - light_.source.y));
-}
-
-Extent SideLane::worth(const Cell& cell) const {
-  const int z = light_.source.z;
-  if (cell.beyond.none()) return cell.beyond;
-  return {std::min(cell.beyond.min, z), std::max(cell.beyond.max, z)};
 }
 
 std::int64_t SideLane::weight(const Cell& cell, const ColumnBeam& beam) const {
@@ -141,13 +135,13 @@ bool SideLane::serve_source(Cell& cell, std::int64_t cycle) {
 bool SideLane::serve_column(std::size_t number, std::int64_t cycle) {
   Cell& cell = cells_[number];
   const int k = steps(cell), z = light_.source.z;
-  const Extent worth = this->worth(cell);
   const auto fill_table = [&](int first, std::int64_t when) {
-    cell.table.fill(columns_, number, slope(cell), z, first, std::min(worth.max, z + k), when);
+    cell.table.fill(columns_, number, slope(cell), z, first, std::min(cell.beyond.max, z + k),
+                    when);
   };
   if (!cell.table_made) {
     cell.table_made = true;
-    fill_table(std::max(worth.min, z - k), k == 1 ? 1 : 2 * k - 2);
+    fill_table(std::max(cell.beyond.min, z - k), told(cell) + 1);
   }
   if (cycle < cell.table.ready()) return false;
   const Targets beam = cell.beam.v;
@@ -241,7 +235,7 @@ bool SideLane::load(std::size_t number, std::int64_t cycle) {
   };
   const std::int64_t each = weight(cell, beam);
   const Targets inside = within(beam.v, {0, n_ - 1});
-  const Targets kept = within(inside, worth(cell));
+  const Targets kept = within(inside, cell.beyond);
   finish(cell, each * (beam.v.count() - inside.count()), escaped_, cycle);
   finish(cell, each * (inside.count() - kept.count()), skipped_, cycle);
   beam.v = kept;

@@ -1,6 +1,7 @@
 // The side lanes of all cells: beams towards the x and y faces (rtl/light/rc2_side_lane.sv).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -28,8 +29,9 @@ class SideLane {
  public:
   SideLane(int n, Columns& columns);
 
-  /// `beyond` says of each cell what its beams can still meet.
-  void start(const LightJob& light, const Classes& classes, const std::vector<Extent>& beyond);
+  /// `outlooks` says of each cell what its beams can still meet; what counts is what it knows when
+  /// it hears of its step.
+  void start(const LightJob& light, const Classes& classes, const std::vector<Outlook>& outlooks);
 
   bool busy() const { return !active_.empty(); }
 
@@ -61,7 +63,7 @@ class SideLane {
   enum From : unsigned { kStraight, kDiagonal };
   struct Cell {
     std::uint16_t x, y;
-    Extent beyond;
+    Extent beyond;  // layers in which it is worth while
     bool table_made;
     bool serving;
     std::array<std::uint16_t, 2> first, count;
@@ -78,8 +80,8 @@ class SideLane {
   // The first cycle in which the cell knows the classes of the beams that come by.
   std::int64_t here(const Cell& cell) const { return 2 * steps(cell) + 2; }
   Slope slope(const Cell& cell) const { return {steps(cell), light_.target_distance}; }
-  // Voxels that light is at here, or must pass on its way to what it can meet.
-  Extent worth(const Cell& cell) const;
+  // The cycle in which the cell hears of its step.
+  std::int64_t told(const Cell& cell) const { return std::max(2 * steps(cell) - 3, 0); }
   std::int64_t weight(const Cell& cell, const ColumnBeam& beam) const;
   ColumnBeam& place(std::size_t cell, From from, std::size_t index) {
     return fifo_[(cell * 2 + from) * depth_ + index];

@@ -12,13 +12,14 @@ ClassSet* ZLanes::rows(std::vector<ClassSet>& front, int x, int y) const {
   return front.data() + cell_number(x, y, n_) * height_;
 }
 
-void ZLanes::run(const LightJob& light, const Classes& classes, const std::vector<Extent>& beyond) {
+void ZLanes::run(const LightJob& light, const Classes& classes,
+                 const std::vector<Outlook>& outlooks) {
   light_ = light;
   classes_ = &classes;
   height_ = static_cast<std::size_t>(classes.most());
   now_.assign(columns_.size() * height_, 0);
   next_.assign(columns_.size() * height_, 0);
-  beyond_ = &beyond;
+  outlooks_ = &outlooks;
   tally_ = {};
   last_busy_ = absorbed_ = escaped_ = skipped_ = visits_ = 0;
   run_lane(false);
@@ -55,8 +56,8 @@ void ZLanes::enter(const Box& box, int step, int z, bool down, std::int64_t cycl
       if (any == 0) continue;
       last_busy_ = std::max(last_busy_, cycle);
       const auto column = cell_number(x, y, n_);
-      const Extent& beyond = (*beyond_)[column];
-      const bool worth = down ? z >= beyond.min : z <= beyond.max;
+      const Extent& beyond = (*outlooks_)[column].in(cycle - 1);
+      const bool worth = beyond.min <= z && z <= beyond.max;
       if (worth && step > 0) ++visits_;
       const bool lights = worth && columns_.occupied(column, z);
       const bool stops = !worth || columns_.stops(column, z);

@@ -19,9 +19,9 @@ class ZLanes {
  public:
   ZLanes(int n, Columns& columns);
 
-  /// Lights the columns; the wave takes two cycles a step, one for each lane. `beyond` says of each
-  /// cell what light can still meet.
-  void run(const LightJob& light, const Classes& classes, const std::vector<Extent>& beyond);
+  /// Lights the columns; the wave takes two cycles a step, one for each lane. `outlooks` says of
+  /// each cell what light can still meet.
+  void run(const LightJob& light, const Classes& classes, const std::vector<Outlook>& outlooks);
 
   /// The last cycle in which there was light in a cell.
   std::int64_t last_busy() const { return last_busy_; }
@@ -48,7 +48,7 @@ class ZLanes {
   Columns& columns_;
   LightJob light_{};
   const Classes* classes_ = nullptr;
-  const std::vector<Extent>* beyond_ = nullptr;
+  const std::vector<Outlook>* outlooks_ = nullptr;
   std::size_t height_ = 0;  // rows of a matrix
   std::vector<ClassSet> now_, next_;
   Tally tally_;

@@ -1,84 +1,104 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// rc2_extents: the own column's extent runs from its lowest to its highest filled voxel; a quadrant's is
-// the hull of the own column's and its two neighbours'; what light can meet is the hull of the quadrants
-// away from it. `q` is any one quadrant.
+// rc2_extents: the own column's extent runs from its lowest to its highest filled voxel; a quadrant has
+// something if the own column or a neighbour's quadrant has; once a cell knows its sector, its tilts hold
+// those of each neighbour that light goes on to in the next ring, and of no wrong one: with the own
+// column's they are the hull. `q` is any one quadrant, `d` any one direction, the light anywhere.
 
 module extents_hull (
     input logic                       clk_i,
     input logic                       clear_i,
     input logic                       fill_i,
     input logic [rc2_pkg::CoordW-1:0] fill_z_i,
-    input logic [rc2_pkg::ReachW-1:0] ne_e_i,
-    input logic [rc2_pkg::ReachW-1:0] ne_n_i,
-    input logic [rc2_pkg::ReachW-1:0] nw_w_i,
-    input logic [rc2_pkg::ReachW-1:0] nw_n_i,
-    input logic [rc2_pkg::ReachW-1:0] sw_w_i,
-    input logic [rc2_pkg::ReachW-1:0] sw_s_i,
-    input logic [rc2_pkg::ReachW-1:0] se_e_i,
-    input logic [rc2_pkg::ReachW-1:0] se_s_i,
-    input logic                       east_i,
-    input logic                       west_i,
-    input logic                       north_i,
-    input logic                       south_i
+    input logic [1:0]                 e_i,
+    input logic [1:0]                 n_i,
+    input logic [1:0]                 w_i,
+    input logic [1:0]                 s_i,
+    input logic                       start_i,
+    input logic                       active_i,
+    input logic [8*rc2_pkg::ReachW-1:0] reaches_i
 );
   localparam int unsigned N = rc2_pkg::N;
   localparam int unsigned CoordW = rc2_pkg::CoordW;
+  localparam int unsigned OffW = rc2_pkg::OffW;
+  localparam int unsigned CountW = rc2_pkg::CountW;
+  localparam int unsigned TiltW = rc2_pkg::TiltW;
   localparam int unsigned ReachW = rc2_pkg::ReachW;
 
   logic rst_ni = 1'b0;
   always_ff @(posedge clk_i) rst_ni <= 1'b1;
 
-  logic [ReachW-1:0] ne, nw, sw, se;
-  logic [CoordW-1:0] min, max;
-  rc2_extents u_extents (
-      .clk_i   (clk_i),
-      .rst_ni  (rst_ni),
-      .clear_i (clear_i),
-      .fill_i  (fill_i),
-      .fill_z_i(fill_z_i),
-      .ne_e_i  (ne_e_i),
-      .ne_n_i  (ne_n_i),
-      .nw_w_i  (nw_w_i),
-      .nw_n_i  (nw_n_i),
-      .sw_w_i  (sw_w_i),
-      .sw_s_i  (sw_s_i),
-      .se_e_i  (se_e_i),
-      .se_s_i  (se_s_i),
-      .ne_o    (ne),
-      .nw_o    (nw),
-      .sw_o    (sw),
-      .se_o    (se),
-      .east_i  (east_i),
-      .west_i  (west_i),
-      .north_i (north_i),
-      .south_i (south_i),
-      .min_o   (min),
-      .max_o   (max)
-  );
-  // The neighbours' extents only grow until the next clear, as this one's does.
-  logic grows_q = 1'b0;
-  logic [ReachW-1:0] before_e_q, before_n_q;
-  always_ff @(posedge clk_i) begin
-    grows_q    <= rst_ni && !clear_i;
-    before_e_q <= ne_e_i;
-    before_n_q <= ne_n_i;
-  end
+  // A light lasts longer than two divisions, or the host needs the time to see that it is over.
+  logic [4:0] since_q = '1;
+  always_ff @(posedge clk_i) since_q <= start_i ? '0 : (since_q == '1) ? since_q : since_q + 1'b1;
+  localparam int unsigned Steps = (rc2_pkg::TiltSizeW + 3) / 4;
+  (* hierconn *) wire [$clog2(Steps + 1)-1:0] \u_extents.u_divide.left_q ;
+  (* hierconn *) wire \u_extents.low_taken_q ;
+  (* hierconn *) wire \u_extents.high_q ;
+  logic [4:0] left;
+  assign left = 5'(\u_extents.u_divide.left_q );
   always_comb begin
-    assume (!(east_i && west_i) && !(north_i && south_i));
-    assume (fill_z_i <= CoordW'(N - 1));
-    if (grows_q) begin
-      assume (ne_e_i[ReachW-1:CoordW] >= before_e_q[ReachW-1:CoordW] && ne_e_i[CoordW-1:0] <= before_e_q[CoordW-1:0]);
-      assume (ne_n_i[ReachW-1:CoordW] >= before_n_q[ReachW-1:CoordW] && ne_n_i[CoordW-1:0] <= before_n_q[CoordW-1:0]);
-    end else begin
-      assume (ne_e_i == rc2_pkg::NoReach && ne_n_i == rc2_pkg::NoReach);
+    if (rst_ni && since_q != '1) assume (!start_i);
+    if (rst_ni) begin
+      if (left != 0) assert (since_q + left == (\u_extents.high_q ? 5'(2 * Steps + 1) : 5'(Steps)));
+      if (\u_extents.low_taken_q ) assert (since_q == 5'(Steps) && left == 0 && !\u_extents.high_q );
     end
   end
 
+  // ---- Where the cell is, seen from any light ------------------------------------------------------
+  (* anyconst *) logic signed [OffW-1:0] dx;
+  (* anyconst *) logic signed [OffW-1:0] dy;
+  (* anyconst *) logic [CoordW-1:0] zs;
+  logic [OffW-1:0] far_x, far_y;
+  assign far_x = dx[OffW-1] ? $unsigned(-dx) : $unsigned(dx);
+  assign far_y = dy[OffW-1] ? $unsigned(-dy) : $unsigned(dy);
+
+  logic [3:0] quadrants;
+  logic [ReachW-1:0] reach;
+  logic beyond;
+  logic [CoordW-1:0] first, last;
+  rc2_extents u_extents (
+      .clk_i      (clk_i),
+      .rst_ni     (rst_ni),
+      .clear_i    (clear_i),
+      .fill_i     (fill_i),
+      .fill_z_i   (fill_z_i),
+      .e_i        (e_i),
+      .n_i        (n_i),
+      .w_i        (w_i),
+      .s_i        (s_i),
+      .quadrants_o(quadrants),
+      .start_i    (start_i),
+      .active_i   (active_i),
+      .zs_i       (zs),
+      .distance_i (CountW'((far_x > far_y) ? far_x : far_y)),
+      .east_i     (dx > 0),
+      .west_i     (dx < 0),
+      .north_i    (dy > 0),
+      .south_i    (dy < 0),
+      .wide_i     (far_x > far_y),
+      .tall_i     (far_y > far_x),
+      .reach0_i   (reaches_i[0*ReachW+:ReachW]),
+      .reach1_i   (reaches_i[1*ReachW+:ReachW]),
+      .reach2_i   (reaches_i[2*ReachW+:ReachW]),
+      .reach3_i   (reaches_i[3*ReachW+:ReachW]),
+      .reach4_i   (reaches_i[4*ReachW+:ReachW]),
+      .reach5_i   (reaches_i[5*ReachW+:ReachW]),
+      .reach6_i   (reaches_i[6*ReachW+:ReachW]),
+      .reach7_i   (reaches_i[7*ReachW+:ReachW]),
+      .reach_o    (reach),
+      .beyond_o   (beyond),
+      .min_o      (first),
+      .max_o      (last)
+  );
+
   // ---- The own column ------------------------------------------------------------------------------
+  (* hierconn *) wire \u_extents.own_q ;
   (* hierconn *) wire [CoordW-1:0] \u_extents.min_q ;
   (* hierconn *) wire [CoordW-1:0] \u_extents.max_q ;
+  logic own;
   logic [CoordW-1:0] own_min, own_max;
+  assign own = \u_extents.own_q ;
   assign own_min = \u_extents.min_q ;
   assign own_max = \u_extents.max_q ;
   logic [N-1:0] filled_q;
@@ -87,9 +107,10 @@ module extents_hull (
     else if (fill_i) filled_q[fill_z_i] <= 1'b1;
   end
   always_comb begin
+    assume (fill_z_i <= CoordW'(N - 1));
     if (rst_ni) begin
-      if (filled_q == 0) assert ({own_max, own_min} == rc2_pkg::NoReach);
-      else assert (filled_q[own_min] && filled_q[own_max]);
+      assert (own == (filled_q != 0));
+      if (own) assert (filled_q[own_min] && filled_q[own_max]);
       for (int z = 0; z < N; z++) begin
         if (filled_q[z]) assert (own_min <= CoordW'(z) && CoordW'(z) <= own_max);
       end
@@ -98,53 +119,90 @@ module extents_hull (
 
   // ---- Any one quadrant: 0 ne, 1 nw, 2 sw, 3 se ----------------------------------------------------
   (* anyconst *) logic [1:0] q;
-  logic [ReachW-1:0] along_x, along_y, reach;
-  assign along_x = (q == 2'd0) ? ne_e_i : (q == 2'd1) ? nw_w_i : (q == 2'd2) ? sw_w_i : se_e_i;
-  assign along_y = (q == 2'd0) ? ne_n_i : (q == 2'd1) ? nw_n_i : (q == 2'd2) ? sw_s_i : se_s_i;
-  assign reach = (q == 2'd0) ? ne : (q == 2'd1) ? nw : (q == 2'd2) ? sw : se;
-
-  logic known_q = 1'b0;
-  logic [CoordW-1:0] x_min_q, x_max_q, y_min_q, y_max_q, own_min_q, own_max_q, reach_min, reach_max;
+  logic heard, heard_q, asked_q = 1'b0;
+  assign heard = own || ((q == 2'd0) ? e_i[0] || n_i[0] : (q == 2'd1) ? w_i[0] || n_i[1] :
+                         (q == 2'd2) ? w_i[1] || s_i[0] : e_i[1] || s_i[1]);
   always_ff @(posedge clk_i) begin
-    known_q                <= rst_ni && !clear_i;
-    {x_max_q, x_min_q}     <= along_x;
-    {y_max_q, y_min_q}     <= along_y;
-    {own_max_q, own_min_q} <= {own_max, own_min};
+    asked_q <= rst_ni && !clear_i;
+    heard_q <= heard;
   end
-  assign {reach_max, reach_min} = reach;
-  always_comb begin
-    if (known_q) begin
-      assert (reach_min <= x_min_q && reach_min <= y_min_q && reach_min <= own_min_q);
-      assert (reach_min == x_min_q || reach_min == y_min_q || reach_min == own_min_q);
-      assert (reach_max >= x_max_q && reach_max >= y_max_q && reach_max >= own_max_q);
-      assert (reach_max == x_max_q || reach_max == y_max_q || reach_max == own_max_q);
+  always_comb if (asked_q) assert (quadrants[q] == heard_q);
+
+  // ---- Any one neighbour ---------------------------------------------------------------------------
+  // It counts if it is in the next ring and on no axis back towards the light.
+  (* anyconst *) logic [2:0] d;
+  logic signed [OffW:0] way_x, way_y, to_x, to_y;
+  logic [OffW:0] size_x, size_y;
+  logic back, next_ring;
+  assign way_x = (d == 3'd0 || d == 3'd1 || d == 3'd7) ? 1 : (d == 3'd2 || d == 3'd6) ? 0 : -1;
+  assign way_y = (d == 3'd1 || d == 3'd2 || d == 3'd3) ? 1 : (d == 3'd0 || d == 3'd4) ? 0 : -1;
+  assign to_x = (OffW + 1)'(dx) + way_x;
+  assign to_y = (OffW + 1)'(dy) + way_y;
+  assign size_x = to_x[OffW] ? $unsigned(-to_x) : $unsigned(to_x);
+  assign size_y = to_y[OffW] ? $unsigned(-to_y) : $unsigned(to_y);
+  assign back = (way_x > 0 && dx < 0) || (way_x < 0 && dx > 0) || (way_y > 0 && dy < 0) || (way_y < 0 && dy > 0);
+  assign next_ring = ((size_x > size_y) ? size_x : size_y) > (OffW + 1)'((far_x > far_y) ? far_x : far_y);
+
+  // A neighbour that knows goes on to know the same, until the next light.
+  logic [ReachW-1:0] said;
+  logic [8*ReachW-1:0] said_q;
+  logic follows_q = 1'b0;
+  assign said = reaches_i[d*ReachW+:ReachW];
+  always_ff @(posedge clk_i) begin
+    said_q    <= reaches_i;
+    follows_q <= rst_ni && !start_i;
+  end
+  for (genvar i = 0; i < 8; i++) begin : g_steady
+    always_comb begin
+      if (follows_q && said_q[i*ReachW+ReachW-1]) begin
+        assume (reaches_i[i*ReachW+:ReachW] == said_q[i*ReachW+:ReachW]);
+      end
     end
   end
 
-  // ---- What light can meet: the quadrants that do not lie back towards it ----------------------------
-  logic [3:0] away;
-  assign away = {!west_i && !north_i, !east_i && !north_i, !east_i && !south_i, !west_i && !south_i};
-  logic away_q;
-  logic [3:0] all_away_q;
-  logic [4*ReachW-1:0] all_q;
-  logic [ReachW-1:0] quadrant_q;
-  logic asked_q = 1'b0;
-  always_ff @(posedge clk_i) begin
-    asked_q    <= 1'b1;
-    away_q     <= away[q];
-    all_away_q <= away;
-    all_q      <= {se, sw, nw, ne};
-    quadrant_q <= reach;
+  (* hierconn *) wire \u_extents.known_q ;
+  (* hierconn *) wire \u_extents.half_q ;
+  (* hierconn *) wire [TiltW-1:0] \u_extents.low_q ;
+  (* hierconn *) wire [TiltW-1:0] \u_extents.high_tilt_q ;
+  logic source, holds, ready_q = 1'b0;
+  always_ff @(posedge clk_i) if (start_i && rst_ni) ready_q <= 1'b1;
+  assign source = (dx == 0) && (dy == 0);
+  assign holds = said[ReachW-1] && $signed(\u_extents.low_q ) <= $signed(said[TiltW-1:0]) &&
+                 $signed(\u_extents.high_tilt_q ) >= $signed(said[2*TiltW-1:TiltW]);
+  always_comb begin
+    if (rst_ni && ready_q && follows_q) begin
+      if (\u_extents.known_q && next_ring && !back && !(source && way_x == 0)) assert (holds);
+      if (\u_extents.half_q && source && way_x > 0) assert (holds);
+      if (\u_extents.known_q ) assert (!source || \u_extents.half_q );
+    end
   end
-  logic [3:0] is_min, is_max;
-  for (genvar i = 0; i < 4; i++) begin : g_ends
-    assign is_min[i] = all_away_q[i] && all_q[i*ReachW+:CoordW] == min;
-    assign is_max[i] = all_away_q[i] && all_q[i*ReachW+CoordW+:CoordW] == max;
+
+  // Nothing else joins: both ends are the own column's, a counting neighbour's, or what was there.
+  (* hierconn *) wire \u_extents.joins ;
+  (* hierconn *) wire [TiltW-1:0] \u_extents.own_low ;
+  (* hierconn *) wire [TiltW-1:0] \u_extents.own_high ;
+  logic [7:0] is_low, is_high;
+  for (genvar i = 0; i < 8; i++) begin : g_only
+    localparam int X = (i == 0 || i == 1 || i == 7) ? 1 : (i == 2 || i == 6) ? 0 : -1;
+    localparam int Y = (i == 1 || i == 2 || i == 3) ? 1 : (i == 0 || i == 4) ? 0 : -1;
+    logic away;
+    assign away = !((X > 0 && dx < 0) || (X < 0 && dx > 0) || (Y > 0 && dy < 0) || (Y < 0 && dy > 0));
+    logic [TiltW-1:0] low_before_q, high_before_q;
+    always_ff @(posedge clk_i) {high_before_q, low_before_q} <= reaches_i[i*ReachW+:2*TiltW];
+    assign is_low[i] = away && \u_extents.low_q == low_before_q;
+    assign is_high[i] = away && \u_extents.high_tilt_q == high_before_q;
+  end
+  logic joined_q = 1'b0;
+  logic [TiltW-1:0] own_low_q, own_high_q;
+  always_ff @(posedge clk_i) begin
+    joined_q   <= rst_ni && \u_extents.joins ;
+    own_low_q  <= \u_extents.own_low ;
+    own_high_q <= \u_extents.own_high ;
   end
   always_comb begin
-    if (asked_q) begin
-      if (away_q) assert (min <= quadrant_q[CoordW-1:0] && max >= quadrant_q[ReachW-1:CoordW]);
-      assert (is_min != 0 && is_max != 0);
+    if (joined_q) begin
+      assert (is_low != 0 || \u_extents.low_q == own_low_q || \u_extents.low_q == rc2_pkg::TiltMost);
+      assert (is_high != 0 || \u_extents.high_tilt_q == own_high_q || \u_extents.high_tilt_q == -rc2_pkg::TiltMost);
     end
   end
 endmodule

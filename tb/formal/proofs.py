@@ -42,10 +42,10 @@ PROOFS = [
     *(Proof("run_maximal", "the first maximal interval of stops from a voxel on", "rc2_run", "all inputs",
             Fault("lanes/rc2_run.sv", "assign above = stops_i & ({N{1'b1}} << from_i);", "assign above = stops_i;"),
             macros=size, fast=size == USUAL) for size in (USUAL, LARGE)),
-    *(Proof("extents_hull", "an extent is the hull of its column's and its neighbours'; light meets those away from it",
+    *(Proof("extents_hull", "a sector's tilts are the hull of its column's and of the neighbours' away from the light",
             "rc2_extents", "induction",
-            Fault("lanes/rc2_extents.sv", "(both_max > max_q) ? both_max", "(x_max > max_q) ? x_max"),
-            3, macros=size, fast=size == USUAL) for size in (USUAL, LARGE)),
+            Fault("lanes/rc2_extents.sv", "(corner_low < third_low) ? corner_low : third_low", "corner_low"),
+            6, macros=size, fast=size == USUAL) for size in (USUAL, LARGE)),
     # Splitter
     Proof("ymed_formula", "Y_med equals a real division, rounded down and up, for every k, w, L", "rc2_ymed",
           "all inputs",

@@ -54,6 +54,7 @@ module stops_answer (
       .zs_i      (zs),
       .distance_i(distance),
       .stops_i   (stops),
+      .beyond_i  (1'b1),
       .low_i     ('0),
       .high_i    (CoordW'(N - 1)),
       .clip_min_o(clip_min),

@@ -49,9 +49,10 @@ class Registers : public testing::Test {
 
 TEST_F(Registers, KeepWhatIsWritten) {
   // n = 2, L up to 8, FA up to 32: a coordinate has one bit, L four, FA six, 24*L*L + 2 eleven, and
-  // 1/L has one and a fraction of ten.
-  const std::map<Register, int> bits{{kSourceX, 1}, {kSourceY, 1},  {kSourceZ, 1},  {kDistance, 4},
-                                     {kFa, 6},      {kTargets, 11}, {kInverse, 11}, {kRule, 1}};
+  // 1/L has one and a fraction of ten; without rays they have no limits.
+  const std::map<Register, int> bits{{kSourceX, 1},  {kSourceY, 1}, {kSourceZ, 1},
+                                     {kDistance, 4}, {kFa, 6},      {kTargets, 11},
+                                     {kInverse, 11}, {kRule, 1},    {kRayLimits, 0}};
   std::map<Register, std::uint32_t> kept;
   for (const auto& [address, width] : bits) kept[address] = 0;
   for (int round = 0; round < 1000; ++round) {

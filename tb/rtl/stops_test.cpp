@@ -17,15 +17,16 @@ int floor_div(int a, int b) { return a / b - ((a % b != 0 && (a < 0) != (b < 0))
 struct Visit {
   unsigned stops;
   int zs, k, distance, low, high;
+  bool beyond;
 
   int voxel(int target) const { return zs - floor_div(distance - 2 * target * k, 2 * distance); }
   bool stopped(int target) const {
     const int z = voxel(target);
     return z >= 0 && z < kN && (stops >> z & 1U) != 0;
   }
-  // What is worth while: layers between the light's and those with anything to meet.
-  int first() const { return std::max(zs - k, std::min(low, zs)); }
-  int last() const { return std::min(zs + k, std::max(high, zs)); }
+  // Layers that are worth while and that rays can be in.
+  int first() const { return std::max(zs - k, low); }
+  int last() const { return std::min(zs + k, high); }
   /// Runs of stops that are found from voxel `from` on.
   int runs(int from) const {
     int found = 0;
@@ -56,6 +57,7 @@ class Stops : public testing::Test {
     v.low = pick(0, kN - 1);
     v.high = pick(v.low, kN - 1);
     if (dice.chance(50)) v.low = 0, v.high = kN - 1;
+    v.beyond = dice.chance(95);
     return v;
   }
 
@@ -66,12 +68,14 @@ class Stops : public testing::Test {
     unit.top.zs_i = static_cast<CData>(v.zs);
     unit.top.distance_i = static_cast<CData>(v.distance);
     unit.top.stops_i = static_cast<SData>(v.stops);
-    unit.top.low_i = static_cast<CData>(v.low);
-    unit.top.high_i = static_cast<CData>(v.high);
+    tell_layers(dice.chance(50), pick(0, kN - 1), pick(0, kN - 1));
     unit.tick();
     unit.top.start_i = 0;
     expect_no_answer();
+    tell_layers(v.beyond, v.low, v.high);
     unit.tick();
+    // From here on another light's layers would do as well.
+    tell_layers(dice.chance(50), pick(0, kN - 1), pick(0, kN - 1));
     unit.top.set_i = 1;
     unit.top.ratio_i = static_cast<IData>(((v.distance << kRatioF) + 2 * v.k - 1) / (2 * v.k));
     unit.top.slope_i = static_cast<IData>((v.k << kSlopeF) / v.distance);
@@ -79,6 +83,12 @@ class Stops : public testing::Test {
     unit.top.set_i = 0;
     unit.top.ratio_i = static_cast<IData>(pick(0, 1 << 16));
     unit.top.slope_i = static_cast<IData>(pick(0, 1 << 16));
+  }
+
+  void tell_layers(bool beyond, int low, int high) {
+    unit.top.beyond_i = beyond;
+    unit.top.low_i = static_cast<CData>(low);
+    unit.top.high_i = static_cast<CData>(high);
   }
 
   /// Nothing is known until a light has come.
@@ -160,7 +170,7 @@ TEST_F(Stops, EndTheRaysThatMeetThem) {
     std::vector<int> here;
     for (int target = -v.distance; target <= v.distance; ++target) {
       const int z = v.voxel(target);
-      if (z >= std::max(v.first(), 0) && z <= v.last()) here.push_back(target);
+      if (v.beyond && z >= std::max(v.first(), 0) && z <= v.last()) here.push_back(target);
     }
     // The table is there three cycles after set_i, and one more for each run in it.
     const int wait = 2 + std::min(v.runs(std::max(v.first(), 0)), kRuns);

@@ -88,7 +88,7 @@ TEST(ZLanes, MoveEveryBitAsItsClassesGo) {
       }
       Front& front = lanes[static_cast<std::size_t>(lane)];
       const bool any = on && front != 0;
-      const bool worth = beyond && (lane == 0 ? z <= high : z >= low);
+      const bool worth = beyond && low <= z && z <= high;
       const bool stop = any && worth && (stops >> z & 1U) != 0;
       const bool passes = any && worth && !stop;
       ASSERT_EQ(unit.top.busy_o, lanes[0] != 0 || lanes[1] != 0 ? 1 : 0);

@@ -45,7 +45,8 @@ int distance_of(std::size_t cell, const glm::ivec3& source, int n) {
 TEST(SmallLanes, SideBeamsOnlyWaitOutwards) {
   for (int n = 2; n <= 4; ++n) {
     Columns empty(n);
-    const std::vector<Extent> anything(empty.size(), {0, n - 1});
+    const Extent all{0, n - 1};
+    const std::vector<Outlook> anything(empty.size(), {all, all, 0});
     SideLane lane(n, empty);
     for (int number = 0; number < n * n * n; ++number) {
       const glm::ivec3 source = voxel_at(number, n);
