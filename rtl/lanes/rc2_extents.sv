@@ -16,7 +16,7 @@
 // so that nothing is missed.
 //
 // Latency from the start: 2 (TiltSizeW/4 + 1) cycles if there is anything in the column, then one for each
-// ring from the outermost with anything, then two; one more in the light's own cell, which has to hear of
+// ring from the outermost with anything, then three; one more in the light's own cell, which has to hear of
 // eight neighbours.
 
 module rc2_extents (
@@ -133,7 +133,7 @@ module rc2_extents (
       .rest_o (rest_unused)
   );
   logic below_q, outer_q;
-  logic signed [TiltW-1:0] own_tilt, own_low_q;
+  logic signed [TiltW-1:0] own_tilt;
   assign own_size = (outer_q && quotient != '1) ? quotient + 1'b1 : quotient;
   assign own_tilt = below_q ? -$signed({1'b0, own_size}) : $signed({1'b0, own_size});
   always_ff @(posedge clk_i) begin
@@ -150,7 +150,6 @@ module rc2_extents (
       below_q <= below;
       outer_q <= outer;
     end
-    if (low_taken_q) own_low_q <= own_tilt;
   end
 
   // ---- The sector ------------------------------------------------------------------------------
@@ -176,7 +175,8 @@ module rc2_extents (
   assign {corner_known, corner_high, corner_low} = corner;
   assign {third_known, third_high, third_low} = third;
   assign joins = (own_done_q || !own_q) && straight_known && corner_known && third_known && !known_q;
-  assign own_low = half_q ? low_q : own_q ? own_low_q : Most;
+  // The own column's lowest tilt waits in the sector's register, the highest in the divider.
+  assign own_low = (half_q || own_q) ? low_q : Most;
   assign own_high = half_q ? high_tilt_q : own_q ? own_tilt : -Most;
   assign inner_low = (own_low < straight_low) ? own_low : straight_low;
   assign inner_high = (own_high > straight_high) ? own_high : straight_high;
@@ -193,6 +193,8 @@ module rc2_extents (
     if (joins) begin
       low_q       <= (inner_low < outer_low) ? inner_low : outer_low;
       high_tilt_q <= (inner_high > outer_high) ? inner_high : outer_high;
+    end else if (low_taken_q) begin
+      low_q <= own_tilt;
     end
   end
   assign reach_o = anything ? {known_q, high_tilt_q, low_q} : rc2_pkg::NoReach;
@@ -215,9 +217,11 @@ module rc2_extents (
   assign none = (all_low > all_high);
 
   // ---- Layers: first the lowest, then the highest ------------------------------------------------
+  // at[0]: the lowest tilt lies ready; at[1]: the highest, and the lowest layer; at[2]: both layers.
   localparam int unsigned LayerW = SizeW + OddW - FracW + 1;
-  logic first_q, ready_q, none_q;
-  logic signed [TiltW-1:0] tilt;
+  logic [2:0] at_q;
+  logic none_q;
+  logic signed [TiltW-1:0] tilt_q;
   logic tilt_below, tilt_outer;
   logic [SizeW-1:0] tilt_size;
   logic [OddW-1:0] halves;
@@ -225,10 +229,9 @@ module rc2_extents (
   logic [LayerW-2:0] twice_layers;
   logic signed [LayerW-1:0] layers, layer;
   logic [CoordW-1:0] bound, first_layer_q, last_layer_q;
-  assign tilt = first_q ? all_high : all_low;
-  assign tilt_below = tilt[TiltW-1];
-  assign tilt_outer = (first_q != tilt_below);
-  assign tilt_size = SizeW'(tilt_below ? $unsigned(-tilt) : $unsigned(tilt));
+  assign tilt_below = tilt_q[TiltW-1];
+  assign tilt_outer = (at_q[1] != tilt_below);
+  assign tilt_size = SizeW'(tilt_below ? $unsigned(-tilt_q) : $unsigned(tilt_q));
   assign halves = tilt_outer ? twice + 1'b1 : source ? '0 : twice - 1'b1;
   assign product = (SizeW + OddW)'(tilt_size) * (SizeW + OddW)'(halves);
   assign twice_layers = (LayerW - 1)'(product >> FracW);
@@ -241,22 +244,18 @@ module rc2_extents (
     if (tilt_outer && tilt_size == '1) bound = tilt_below ? '0 : Last;
   end
   always_ff @(posedge clk_i) begin
-    if (!rst_ni || !active_i) begin
-      first_q <= 1'b0;
-      ready_q <= 1'b0;
-    end else if (told) begin
-      first_q <= 1'b1;
-      ready_q <= first_q;
+    if (!rst_ni || !active_i) at_q <= '0;
+    else if (told) at_q <= {at_q[1:0], 1'b1};
+    if (told && !at_q[1]) begin
+      tilt_q <= at_q[0] ? all_high : all_low;
+      none_q <= none;
     end
-    if (told && !first_q) begin
-      first_layer_q <= bound;
-      none_q        <= none;
-    end
-    if (told && first_q && !ready_q) last_layer_q <= bound;
+    if (!at_q[1]) first_layer_q <= bound;
+    if (!at_q[2]) last_layer_q <= bound;
   end
-  assign beyond_o = anything && !(ready_q && none_q);
-  assign min_o = ready_q ? first_layer_q : '0;
-  assign max_o = ready_q ? last_layer_q : Last;
+  assign beyond_o = anything && !(at_q[2] && none_q);
+  assign min_o = at_q[2] ? first_layer_q : '0;
+  assign max_o = at_q[2] ? last_layer_q : Last;
 
   // Contract: what is known stays until the next start; there is something in the own column's quadrants.
   logic knew_q, same_q;

@@ -143,7 +143,7 @@ std::vector<Outlook> Extents::seen_from(const glm::ivec3& source) const {
       const Extent later = seen.tilts.none()
                                ? kNothing
                                : Extent{layer(seen.tilts.min, false), layer(seen.tilts.max, true)};
-      outlooks[cell_number(x, y, n_)] = {all, later, seen.since + 2};
+      outlooks[cell_number(x, y, n_)] = {all, later, seen.since + 3};
     });
   }
   return outlooks;

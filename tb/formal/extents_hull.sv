@@ -28,19 +28,28 @@ module extents_hull (
   logic rst_ni = 1'b0;
   always_ff @(posedge clk_i) rst_ni <= 1'b1;
 
-  // A light lasts longer than two divisions, or the host needs the time to see that it is over.
+  // A light lasts longer than two divisions, or the host needs the time to see that it is over; nothing is
+  // loaded meanwhile.
   logic [4:0] since_q = '1;
   always_ff @(posedge clk_i) since_q <= start_i ? '0 : (since_q == '1) ? since_q : since_q + 1'b1;
   localparam int unsigned Steps = (rc2_pkg::TiltSizeW + 3) / 4;
   (* hierconn *) wire [$clog2(Steps + 1)-1:0] \u_extents.u_divide.left_q ;
   (* hierconn *) wire \u_extents.low_taken_q ;
   (* hierconn *) wire \u_extents.high_q ;
+  (* hierconn *) wire \u_extents.own_q ;
+  (* hierconn *) wire \u_extents.own_done_q ;
+  (* hierconn *) wire \u_extents.known_q ;
+  (* hierconn *) wire \u_extents.half_q ;
   logic [4:0] left;
   assign left = 5'(\u_extents.u_divide.left_q );
   always_comb begin
     if (rst_ni && since_q != '1) assume (!start_i);
+    if (start_i || since_q != '1) assume (!fill_i && !clear_i);
     if (rst_ni) begin
       if (left != 0) assert (since_q + left == (\u_extents.high_q ? 5'(2 * Steps + 1) : 5'(Steps)));
+      if (left != 0 || \u_extents.low_taken_q ) begin
+        assert (\u_extents.own_q && !\u_extents.own_done_q && !\u_extents.known_q && !\u_extents.half_q );
+      end
       if (\u_extents.low_taken_q ) assert (since_q == 5'(Steps) && left == 0 && !\u_extents.high_q );
     end
   end
@@ -93,7 +102,6 @@ module extents_hull (
   );
 
   // ---- The own column ------------------------------------------------------------------------------
-  (* hierconn *) wire \u_extents.own_q ;
   (* hierconn *) wire [CoordW-1:0] \u_extents.min_q ;
   (* hierconn *) wire [CoordW-1:0] \u_extents.max_q ;
   logic own;
@@ -160,8 +168,6 @@ module extents_hull (
     end
   end
 
-  (* hierconn *) wire \u_extents.known_q ;
-  (* hierconn *) wire \u_extents.half_q ;
   (* hierconn *) wire [TiltW-1:0] \u_extents.low_q ;
   (* hierconn *) wire [TiltW-1:0] \u_extents.high_tilt_q ;
   logic source, holds, ready_q = 1'b0;

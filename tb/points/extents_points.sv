@@ -27,9 +27,7 @@ module extents_points (
     input logic                      joins,
     input logic                      source,
     input logic                      half_q,
-    input logic                      told,
-    input logic                      first_q,
-    input logic                      ready_q,
+    input logic [2:0]                at_q,
     input logic                      none_q,
     input logic                      tilt_below,
     input logic                      tilt_outer,
@@ -67,7 +65,7 @@ module extents_points (
       always_ff @(posedge clk_i) begin
         if (rst_ni) begin
           voxel : cover (own_q && (start_i || low_taken_q) && below == (down == 1) && outer == (away == 1));
-          layer : cover (active_i && told && !ready_q && tilt_below == (down == 1) && tilt_outer == (away == 1));
+          layer : cover (active_i && at_q[0] && !at_q[2] && tilt_below == (down == 1) && tilt_outer == (away == 1));
         end
       end
     end
@@ -78,12 +76,11 @@ module extents_points (
       lower_voxel : cover (fill_i && own_q && fill_z_i < min_q);
       higher_voxel : cover (fill_i && own_q && fill_z_i > max_q);
       voxel_between : cover (fill_i && own_q && fill_z_i >= min_q && fill_z_i <= max_q);
-      any_tilt : cover (active_i && told && !ready_q && tilt_outer && tilt_size == '1);
-      knows_nothing_more : cover (ready_q && none_q && anything);
-      knows_from_below : cover (ready_q && min_o != 0);
-      knows_from_above : cover (ready_q && 32'(max_o) != rc2_pkg::N - 1);
-      lowest_first : cover (active_i && told && !first_q);
-    end
+      any_tilt : cover (active_i && at_q[0] && !at_q[2] && tilt_outer && tilt_size == '1);
+      knows_nothing_more : cover (at_q[2] && none_q && anything);
+      knows_from_below : cover (at_q[2] && min_o != 0);
+      knows_from_above : cover (at_q[2] && 32'(max_o) != rc2_pkg::N - 1);
+          end
   end
 endmodule
 

@@ -165,7 +165,7 @@ TEST_F(ExtentsUnit, JoinsWhatItsSectorCanMeet) {
     unit.top.south_i = dy < 0;
     unit.top.wide_i = std::abs(dx) > std::abs(dy);
     unit.top.tall_i = std::abs(dy) > std::abs(dx);
-    const int ready = known + 2;
+    const int ready = known + 3;
     const bool none = seen.min > seen.max;
     for (int cycle = 0; cycle < 30; ++cycle) {
       unit.top.start_i = cycle == 0;
