@@ -245,8 +245,8 @@ INSTANTIATE_TEST_SUITE_P(Sizes, RandomPackets, testing::Values(4, 5, 8, 16),
                          [](const auto& size) { return "n" + std::to_string(size.param); });
 
 INSTANTIATE_TEST_SUITE_P(Machines, RandomScenes,
-                         testing::Values(Draws{"n4", 200}, Draws{"n5", 150}, Draws{"n8", 150},
-                                         Draws{"n16", 50}, Draws{"thesis_n4", 80},
+                         testing::Values(Draws{"n4", 200}, Draws{"whole_n4", 100}, Draws{"n5", 150},
+                                         Draws{"n8", 150}, Draws{"n16", 50}, Draws{"thesis_n4", 80},
                                          Draws{"thesis_n5", 60}, Draws{"thesis_n8", 50},
                                          Draws{"thesis_n16", 20}),
                          name_of);
@@ -276,6 +276,34 @@ TEST_P(Layers, StopLightInEveryColumn) {
 INSTANTIATE_TEST_SUITE_P(Machines, Layers,
                          testing::Values("n4", "n5", "n8", "n16", "thesis_n4", "thesis_n5"),
                          [](const auto& name) { return std::string(name.param); });
+
+class Specks : public testing::TestWithParam<Draws> {};
+
+// A few voxels far apart, a light in a corner: what the cells come to know of the scene decides how
+// far it goes.
+TEST_P(Specks, EndLightThatHasNothingMoreToMeet) {
+  const auto [name, count] = GetParam();
+  Machines& machines = machines_of(name);
+  const int n = machines.rtl->config().n;
+  Dice dice(static_cast<std::uint64_t>(n));
+  const auto corner = [&] { return (n - 1) * pick(dice, 0, 1); };
+  for (int round = 0; round < count; ++round) {
+    SCOPED_TRACE("round " + std::to_string(round));
+    const glm::ivec3 source(corner(), corner(), corner());
+    facet::PacketStream packets;
+    for (int i = pick(dice, 1, 3); i > 0; --i) {
+      const glm::ivec3 at(pick(dice, 0, n - 1), pick(dice, 0, n - 1), pick(dice, 0, n - 1));
+      if (at != source) add_packet(packets, static_cast<std::uint32_t>(i), at, at);
+    }
+    ASSERT_NO_FATAL_FAILURE(load_everywhere(machines, packets));
+    ASSERT_NO_FATAL_FAILURE(light_everywhere(machines, {source, pick(dice, n - 1, 2 * n), 8}));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Machines, Specks,
+                         testing::Values(Draws{"n4", 60}, Draws{"n5", 200}, Draws{"n8", 100},
+                                         Draws{"n16", 8}),
+                         name_of);
 
 class RealScenes : public testing::TestWithParam<const char*> {};
 
