@@ -61,7 +61,9 @@ class ExtentsUnit : public testing::Test {
     unit.top.active_i = 0;
     unit.top.clear_i = 1;
     unit.top.fill_i = 0;
+    unit.top.e_i = unit.top.n_i = unit.top.w_i = unit.top.s_i = 3;
     unit.tick();
+    EXPECT_EQ(unit.top.quadrants_o, 0);
     unit.top.clear_i = 0;
     std::optional<std::pair<int, int>> own;
     for (int fills = pick(0, 3); fills > 0; --fills) {

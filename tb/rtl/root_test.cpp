@@ -23,6 +23,12 @@ TEST(Root, IsTheSquareRootRoundedDown) {
     const std::uint64_t found = root.top.root_o;
     ASSERT_LE(found * found, square);
     ASSERT_GT((found + 1) * (found + 1), square);
+    // It stays.
+    for (int wait = i % 4; wait > 0; --wait) {
+      root.tick();
+      ASSERT_EQ(root.top.done_o, 0);
+      ASSERT_EQ(root.top.root_o, found);
+    }
   }
 }
 
