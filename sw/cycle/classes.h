@@ -1,4 +1,4 @@
-// Classes of targets of one axis (rtl/light/rc2_axis.sv): which part of a beam goes where.
+// Classes of targets of one axis (rtl/lanes/rc2_axis.sv): which part of a beam goes where.
 #pragma once
 
 #include <cstddef>

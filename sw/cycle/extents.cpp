@@ -4,7 +4,6 @@
 #include <cstdlib>
 #include <glm/common.hpp>
 #include <limits>
-#include <utility>
 
 #include "sw/cycle/cell.h"
 
@@ -25,33 +24,17 @@ Tilts joined(const Tilts& a, const Tilts& b) {
   return {std::min(a.min, b.min), std::max(a.max, b.max)};
 }
 
-using Ways = std::vector<std::pair<int, int>>;
-
-// The light's own cell counts as one on its row.
-bool wide_at(int dx, int dy) { return std::abs(dx) > std::abs(dy) || (dx == 0 && dy == 0); }
-
-/// The ways outward to the sectors that a cell's sector is made of.
-Ways outward(int dx, int dy) {
-  const int x = dx < 0 ? -1 : 1, y = dy < 0 ? -1 : 1;
-  const bool wide = wide_at(dx, dy), tall = std::abs(dy) > std::abs(dx);
-  Ways ways{{x, y}};
-  if (!tall) ways.emplace_back(x, 0);
-  if (!wide) ways.emplace_back(0, y);
-  if (wide && dy == 0) ways.emplace_back(x, -y);
-  if (tall && dx == 0) ways.emplace_back(-x, y);
-  return ways;
-}
-
-/// The ways outward within the ring, or to what is left of the eight neighbours.
-Ways sideways(int dx, int dy) {
-  const int x = dx < 0 ? -1 : 1, y = dy < 0 ? -1 : 1;
-  const bool wide = wide_at(dx, dy), tall = std::abs(dy) > std::abs(dx);
-  Ways ways;
-  if (wide) ways.emplace_back(0, y);
-  if (wide && dy == 0) ways.emplace_back(0, -y);
-  if (tall) ways.emplace_back(x, 0);
-  if (tall && dx == 0) ways.emplace_back(-x, 0);
-  return ways;
+/// Calls visit(wx, wy, next) of each way that light can go on from a cell: back towards its source
+/// on no axis; `next` if that is to the next ring, else within the ring.
+template <typename Visit>
+void for_each_way(int dx, int dy, Visit visit) {
+  const int ring = std::max(std::abs(dx), std::abs(dy));
+  for (int wy = -1; wy <= 1; ++wy) {
+    for (int wx = -1; wx <= 1; ++wx) {
+      if ((wx == 0 && wy == 0) || wx * dx < 0 || wy * dy < 0) continue;
+      visit(wx, wy, std::max(std::abs(dx + wx), std::abs(dy + wy)) > ring);
+    }
+  }
 }
 
 }  // namespace
@@ -106,13 +89,14 @@ std::vector<Outlook> Extents::seen_from(const glm::ivec3& source) const {
       }
     }
   };
-  const auto join = [&](Sector& sector, int x, int y, const Ways& ways) {
-    for (const auto& [wx, wy] : ways) {
-      if (x + wx < 0 || y + wy < 0 || x + wx >= n_ || y + wy >= n_) continue;
-      const Sector& other = sectors[cell_number(x + wx, y + wy, n_)];
+  const auto join = [&](Sector& sector, int dx, int dy, auto counts) {
+    for_each_way(dx, dy, [&](int wx, int wy, bool next) {
+      const int x = source.x + dx + wx, y = source.y + dy + wy;
+      if (!counts(wx, next) || x < 0 || y < 0 || x >= n_ || y >= n_) return;
+      const Sector& other = sectors[cell_number(x, y, n_)];
       sector.tilts = joined(sector.tilts, other.tilts);
       sector.since = std::max(sector.since, other.since);
-    }
+    });
   };
   const glm::ivec3 far = glm::max(source, n_ - 1 - source);
   for (int distance = std::max(far.x, far.y); distance >= 0; --distance) {
@@ -125,10 +109,12 @@ std::vector<Outlook> Extents::seen_from(const glm::ivec3& source) const {
                    tilt_.of(own.max - source.z, distance, true)},
                   tilt_.divided()};
       }
-      join(sector, x, y, outward(dx, dy));
+      // The light's own cell has eight neighbours: those to the east, to the west a cycle later,
+      // and the two between them as others join what is within their ring.
+      join(sector, dx, dy, [&](int wx, bool next) { return next && (distance > 0 || wx > 0); });
       ++sector.since;
-      if (distance == 0) {  // it has eight neighbours: those to the west come a cycle later
-        join(sector, x, y, {{-1, 0}, {-1, 1}, {-1, -1}});
+      if (distance == 0) {
+        join(sector, dx, dy, [](int wx, bool) { return wx < 0; });
         ++sector.since;
       }
       sectors[cell_number(x, y, n_)] = sector;
@@ -136,7 +122,7 @@ std::vector<Outlook> Extents::seen_from(const glm::ivec3& source) const {
     ring(distance, [&](int x, int y, int dx, int dy) {
       if (!anything(x, y, source)) return;
       Sector seen = sectors[cell_number(x, y, n_)];
-      join(seen, x, y, sideways(dx, dy));
+      join(seen, dx, dy, [&](int wx, bool next) { return distance > 0 ? !next : wx == 0; });
       const auto layer = [&](int tilt, bool high) {
         return std::clamp(source.z + tilt_.layer(tilt, distance, high), 0, n_ - 1);
       };

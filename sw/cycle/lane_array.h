@@ -17,7 +17,7 @@ class LaneArray {
   /// `skips`: leaves out what can meet nothing.
   LaneArray(int n, bool skips, Columns& columns);
 
-  /// To be called when the columns have been loaded: the cells learn how far the scene reaches.
+  /// To be called when the columns have been loaded: the cells learn where there is anything.
   void settle();
 
   /// Lights the columns. Throws Error if L is too fine for n, std::logic_error if targets are lost

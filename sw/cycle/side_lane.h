@@ -1,4 +1,4 @@
-// The side lanes of all cells: beams towards the x and y faces (rtl/light/rc2_side_lane.sv).
+// The side lanes of all cells: beams towards the x and y faces (rtl/lanes/rc2_side_lane.sv).
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The stops of a column, seen as targets (rtl/light/rc2_stops.sv).
+// The stops of a column, seen as targets (rtl/lanes/rc2_stops.sv).
 #pragma once
 
 #include <array>

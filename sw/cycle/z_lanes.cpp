@@ -32,7 +32,7 @@ void ZLanes::run_lane(bool down) {
   *rows(now_, box.x0, box.y0) = 1;
   for (int step = 0; step <= last; ++step) {
     const std::int64_t cycle = 2 * step + (down ? 2 : 1);
-    enter(box, step, light_.source.z + (down ? -step : step), down, cycle);
+    enter(box, step, light_.source.z + (down ? -step : step), cycle);
     leave(box, step, step == last, cycle);
     if (step == last) break;
     const Box wider{std::max(box.x0 - 1, 0), std::min(box.x1 + 1, n_ - 1), std::max(box.y0 - 1, 0),
@@ -45,7 +45,7 @@ void ZLanes::run_lane(bool down) {
 
 // Lights what is occupied in this layer; what meets a stop is absorbed, what has nothing more to
 // meet is skipped.
-void ZLanes::enter(const Box& box, int step, int z, bool down, std::int64_t cycle) {
+void ZLanes::enter(const Box& box, int step, int z, std::int64_t cycle) {
   for (int y = box.y0; y <= box.y1; ++y) {
     for (int x = box.x0; x <= box.x1; ++x) {
       ClassSet* const matrix = rows(now_, x, y);

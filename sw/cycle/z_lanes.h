@@ -1,4 +1,4 @@
-// The two z lanes of all cells: light towards the z faces (rtl/light/rc2_z_lanes.sv).
+// The two z lanes of all cells: light towards the z faces (rtl/lanes/rc2_z_lanes.sv).
 #pragma once
 
 #include <cstdint>
@@ -36,7 +36,7 @@ class ZLanes {
     int x0, x1, y0, y1;
   };
   void run_lane(bool down);
-  void enter(const Box& box, int step, int z, bool down, std::int64_t cycle);
+  void enter(const Box& box, int step, int z, std::int64_t cycle);
   void advance(const Box& from, const Box& to, int step);
   void leave(const Box& box, int step, bool all, std::int64_t cycle);
   std::int64_t targets(int step, int dx, int dy, const ClassSet* matrix) const;

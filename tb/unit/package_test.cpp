@@ -10,6 +10,7 @@
 
 #include "sw/cycle/classes.h"
 #include "sw/cycle/stop_table.h"
+#include "sw/cycle/tilt.h"
 #include "sw/facet/packet.h"
 #include "sw/machine/host_word.h"
 #include "sw/machine/word.h"
@@ -18,10 +19,12 @@
 namespace rc2::cycle {
 namespace {
 
-std::string package() {
-  std::ifstream file(RC2_SOURCE_DIR "/rtl/rc2_pkg.sv");
+std::string source(const std::string& name) {
+  std::ifstream file(RC2_SOURCE_DIR "/rtl/" + name);
   return {std::istreambuf_iterator<char>(file), {}};
 }
+
+std::string package() { return source("rc2_pkg.sv"); }
 
 // The package states the longest list for each LMAX: "(LMAX < 12) ? 2" and so on.
 TEST(Classes, AreAsManyAsTheHardwareHasRoomFor) {
@@ -49,6 +52,20 @@ TEST(StopTable, IsAsLongAsInTheHardware) {
   const int side = std::stoi(found[1]);
   EXPECT_EQ(std::stoi(found[2]), table_runs(side + 1));
   EXPECT_EQ(std::stoi(found[3]), table_runs(side));
+}
+
+TEST(Tilt, HasTheHardwaresBitsAndDividesInItsSteps) {
+  const std::string text = package(), unit = source("lanes/rc2_extents.sv");
+  std::smatch fraction, whole, step;
+  ASSERT_TRUE(std::regex_search(text, fraction, std::regex(R"(TiltFracW = CoordW \+ (\d+);)")));
+  ASSERT_TRUE(std::regex_search(text, whole, std::regex(R"(TiltSizeW = TiltFracW \+ (\d+);)")));
+  ASSERT_TRUE(std::regex_search(unit, step, std::regex(R"(\.Step *\((\d+)\))")));
+  for (int n = 2; n <= 1024; n *= 2) {
+    const int bits = coordinate_bits(n) + std::stoi(fraction[1]) + std::stoi(whole[1]);
+    const int cycles = (bits + std::stoi(step[1]) - 1) / std::stoi(step[1]);
+    EXPECT_EQ(Tilt(n).most(), (1 << bits) - 1);
+    EXPECT_EQ(Tilt(n).divided(), 2 * cycles + 2);
+  }
 }
 
 // All named codes of the package: "localparam logic [2:0] KindHead = 3'd0;" and so on.
