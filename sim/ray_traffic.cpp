@@ -19,6 +19,7 @@ struct RayTrafficOptions : TableOptions {
   RayTrafficOptions() { sides = {32, 64}; }
   std::vector<int> depths = {1, 4};
   std::vector<int> queues = {1, 2, 4};
+  std::vector<int> looks = {1}, arithmetic = {1};
   std::string view = "front";
   bool all_mirrors = false;
 };
@@ -47,19 +48,21 @@ void measure(const std::string& name, int n, const RayTrafficOptions& options, P
   std::vector<rays::Facet> optics = facet::find_optics(job.facets.facets, job.scene.materials);
   if (options.all_mirrors) make_mirrors(optics);
   const std::vector<RayStart> starts = ray_starts(sights_of(job.scene, options.view, n), n);
-  for (const int depth : options.depths) {
-    for (const int queue : options.queues) {
-      const RayJob rays{{depth, weight_of(kDefaultLeastWeight)},
-                        &optics,
-                        starts_for(options.view, starts),
-                        queue};
-      const RayResult result = machine.trace(
-          rays,
-          bar.step(fmt::format("{}, n = {}, depth {}, queues of {}", title, n, depth, queue)));
-      report::check_rays(result);
-      rows.push_back({title, n, depth, queue, result.counts, result.traffic});
-    }
-  }
+  const auto trace = [&](int depth, int queue, const RayUnits& units) {
+    const RayJob rays{{depth, weight_of(kDefaultLeastWeight)},
+                      &optics,
+                      starts_for(options.view, starts),
+                      queue,
+                      units};
+    const RayResult result = machine.trace(
+        rays, bar.step(fmt::format("{}, n = {}, depth {}, queues of {}", title, n, depth, queue)));
+    report::check_rays(result);
+    rows.push_back({title, n, depth, queue, result.counts, result.traffic});
+  };
+  for (const int depth : options.depths)
+    for (const int queue : options.queues)
+      for (const int looks : options.looks)
+        for (const int arithmetic : options.arithmetic) trace(depth, queue, {looks, arithmetic});
 }
 
 double ratio(std::int64_t a, std::int64_t b) {
@@ -72,30 +75,35 @@ double utilisation(const Row& row) {
 }
 
 void print(const std::vector<Row>& rows) {
-  fmt::print("{:<12}{:>5}{:>6}{:>6}{:>8}{:>7}{:>7}{:>7}{:>7}{:>7}{:>6}{:>9}{:>7}{:>8}{:>7}{:>8}\n",
-             "scene", "n", "depth", "queue", "rays", "load", "look", "read", "launch", "meet",
-             "link", "latency", "T", "T/max", "link %", "again %");
+  fmt::print(
+      "{:<12}{:>5}{:>6}{:>6}{:>6}{:>6}{:>8}{:>7}{:>7}{:>7}{:>7}{:>7}{:>6}{:>9}{:>7}{:>8}{:>7}{:>8}"
+      "\n",
+      "scene", "n", "depth", "queue", "looks", "arith", "rays", "load", "look", "read", "launch",
+      "meet", "link", "latency", "T", "T/max", "link %", "again %");
   for (const Row& row : rows) {
     const RayTraffic& of = row.traffic;
     const auto& [look, read, launch, meet] = of.work;
     fmt::print(
-        "{:<12}{:>5}{:>6}{:>6}{:>8}{:>7}{:>7}{:>7}{:>7}{:>7}{:>6}{:>9}{:>7}{:>8.2f}{:>7.2f}{:>8.2f}"
+        "{:<12}{:>5}{:>6}{:>6}{:>6}{:>6}{:>8}{:>7}{:>7}{:>7}{:>7}{:>7}{:>6}{:>9}{:>7}{:>8.2f}{:>7."
+        "2f}{:>8.2f}"
         "\n",
-        row.scene, row.n, row.depth, row.queue, row.counts.total(), of.load_cycles, look, read,
-        launch, meet, of.busiest_link, of.latency, of.cycles,
-        ratio(of.cycles, std::max(of.busiest(), of.latency)), 100 * utilisation(row),
-        100 * ratio(of.sent_again, row.counts.total()));
+        row.scene, row.n, row.depth, row.queue, of.units.looks, of.units.arithmetic,
+        row.counts.total(), of.load_cycles, look, read, launch, meet, of.busiest_link, of.latency,
+        of.cycles, ratio(of.cycles, std::max(of.busiest().first, of.latency)),
+        100 * utilisation(row), 100 * ratio(of.sent_again, row.counts.total()));
   }
 }
 
 std::string to_csv(const std::vector<Row>& rows) {
   std::string csv =
-      "scene,n,depth,queue,rays,probes,load,look,read,launch,meet,link,latency,T,utilisation,hops,"
+      "scene,n,depth,queue,looks,arithmetic,rays,probes,load,look,read,launch,meet,link,latency,T,"
+      "utilisation,hops,"
       "waits,run_on,sent_again,max_stack\n";
   for (const Row& row : rows) {
     const RayTraffic& of = row.traffic;
-    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{:.5f},{},{},{},{},{}\n", row.scene, row.n,
-                       row.depth, row.queue, row.counts.total(), row.counts.probes, of.load_cycles,
+    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{:.5f},{},{},{},{},{}\n", row.scene,
+                       row.n, row.depth, row.queue, of.units.looks, of.units.arithmetic,
+                       row.counts.total(), row.counts.probes, of.load_cycles,
                        fmt::join(of.work, ","), of.busiest_link, of.latency, of.cycles,
                        utilisation(row), of.hops, of.waits, of.run_on, of.sent_again, of.max_stack);
   }
@@ -112,6 +120,9 @@ void declare_ray_traffic(CLI::App& program, ExitCode& exit_code) {
                         "Files that Assimp reads, or generated scenes: those of run");
   declare_list(*command, "--depth", options->depths, 0, rays::kMaxDepth, "Bounces");
   declare_list(*command, "--queue", options->queues, 1, 1024, "Places of each queue");
+  declare_list(*command, "--looks", options->looks, 1, 2, "Looks of a cell");
+  declare_list(*command, "--arithmetic", options->arithmetic, 1, 2,
+               "Units of a cell in which rays begin, and in which they meet a plane");
   declare_view(*command, options->view);
   command->add_flag("--all-mirrors", options->all_mirrors, "Make every facet a perfect mirror");
   command->callback([options, &exit_code] {

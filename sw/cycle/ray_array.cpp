@@ -49,6 +49,7 @@ RayResult RayArray::run(const Progress& progress) {
   }
   RayTraffic& traffic = result_.traffic;
   traffic.cycles = cycle_;
+  traffic.units = job_.units;
   for (const Cell& cell : cells_) {
     for (std::size_t stage = 0; stage < kRayStages; ++stage)
       traffic.work[stage] = std::max(traffic.work[stage], cell.engine.work()[stage]);

@@ -6,37 +6,66 @@ namespace rc2::cycle {
 
 using ray_queue::kLaunched;
 
+namespace {
+
+// Rays to the west have the queues of odd quadrants.
+constexpr std::array<std::uint32_t, 2> kOfLook{0b1'0011'0011, 0b0'1100'1100};
+
+}  // namespace
+
+bool RayEngine::is_idle() const {
+  const bool hits = hits_[0].meet || hits_[0].bend || hits_[1].meet || hits_[1].bend;
+  return !launches_[0] && !launches_[1] && !read_ && !hits && !answer_;
+}
+
+void RayEngine::pass_turn(std::uint8_t& turn, const RayWorld& world) {
+  turn = static_cast<std::uint8_t>((turn + 1) % world.job.units.arithmetic);
+}
+
 // The last stage first: each knows what the next one takes by what it had when the cycle began.
 RayDeeds RayEngine::step(const RayWorld& world, const RayHeads& heads, std::int64_t cycle) {
   RayDeeds deeds;
   begin_child(world, heads, cycle, deeds);
-  const bool bend_leaves = bend_ && cycle >= bend_->done_at && !answer_;
-  const bool meet_leaves = meet_ && cycle >= meet_->done_at && (!bend_ || bend_leaves);
-  if (bend_leaves) {
-    const rays::Split& split = world.rays[bend_->ray].end()->split;
-    answer_ = {bend_->ray, cycle, split.reflected, split.refracted};
-    bend_.reset();
-  }
-  if (meet_leaves) {
-    bend_ = {meet_->ray, cycle + world.rays[meet_->ray].end()->bend_cycles};
-    meet_.reset();
-  }
-  const Reader reader = read(world, !meet_, cycle, deeds);
-  look(world, heads, reader, cycle, deeds);
-  if (heads.spawned != nullptr && !launch_) {
-    deeds.takes_spawned = true;
-    RayWalk walk(heads.spawned->ray, world.n);
-    walk.age = heads.spawned->age + ray_timing::launch(world.n);
-    launch_ = {world.rays.add(walk), cycle + ray_timing::launch(world.n)};
-    work(RayStage::launch) += ray_timing::launch(world.n);
-  }
+  hit(world, cycle);
+  Reader reader = read(world, cycle, deeds);
+  const bool has_two = world.job.units.looks == 2;
+  const unsigned first = has_two ? static_cast<unsigned>(cycle % 2) : 0;
+  look(world, heads, first, reader, cycle, deeds);
+  if (has_two) look(world, heads, 1 - first, reader, cycle, deeds);
+  launch(world, heads, cycle, deeds);
   return deeds;
+}
+
+void RayEngine::launch(const RayWorld& world, const RayHeads& heads, std::int64_t cycle,
+                       RayDeeds& deeds) {
+  std::optional<Stage>& unit = launches_[launch_turn_.in];
+  if (heads.spawned == nullptr || unit) return;
+  deeds.takes_spawned = true;
+  RayWalk walk(heads.spawned->ray, world.n);
+  walk.age = heads.spawned->age + ray_timing::launch(world.n);
+  unit = {world.rays.add(walk), cycle + ray_timing::launch(world.n)};
+  work(RayStage::launch) += ray_timing::launch(world.n);
+  pass_turn(launch_turn_.in, world);
+}
+
+void RayEngine::hit(const RayWorld& world, std::int64_t cycle) {
+  std::optional<Stage>& last = hits_[hit_turn_.out].bend;
+  if (last && cycle >= last->done_at && !answer_) {
+    const rays::Split& split = world.rays[last->ray].end()->split;
+    answer_ = {last->ray, cycle, split.reflected, split.refracted};
+    last.reset();
+    pass_turn(hit_turn_.out, world);
+  }
+  for (auto& [meet, bend] : hits_) {
+    if (!meet || cycle < meet->done_at || bend) continue;
+    bend = {meet->ray, cycle + world.rays[meet->ray].end()->bend_cycles};
+    meet.reset();
+  }
 }
 
 // A ray that has been read goes on in the cycle of the verdict, or to the next stage in a later
 // one.
-RayEngine::Reader RayEngine::read(const RayWorld& world, bool meet_takes, std::int64_t cycle,
-                                  RayDeeds& deeds) {
+RayEngine::Reader RayEngine::read(const RayWorld& world, std::int64_t cycle, RayDeeds& deeds) {
   if (!read_) return {true, true, false, 0};
   const Reading now = *read_;
   const RayWalk& walk = world.rays[now.ray];
@@ -53,9 +82,11 @@ RayEngine::Reader RayEngine::read(const RayWorld& world, bool meet_takes, std::i
     }
   } else {
     reader.may_be_free = true;
-    if (meet_takes) {
-      meet_ = {now.ray, cycle + walk.end()->meet_cycles};
+    std::optional<Stage>& meet = hits_[hit_turn_.in].meet;
+    if (!meet) {
+      meet = {now.ray, cycle + walk.end()->meet_cycles};
       work(RayStage::meet) += walk.end()->meet_cycles;
+      pass_turn(hit_turn_.in, world);
       read_.reset();
     }
   }
@@ -64,31 +95,36 @@ RayEngine::Reader RayEngine::read(const RayWorld& world, bool meet_takes, std::i
 }
 
 // One ray: the one that begins here before those that pass.
-void RayEngine::look(const RayWorld& world, const RayHeads& heads, const Reader& reader,
+void RayEngine::look(const RayWorld& world, const RayHeads& heads, unsigned number, Reader& reader,
                      std::int64_t cycle, RayDeeds& deeds) {
+  std::optional<Stage>& launch = launches_[launch_turn_.out];
   std::uint32_t waiting = 0;
   for (unsigned queue = 0; queue < kLaunched; ++queue)
     if (heads.rays[queue] && !world.rays[*heads.rays[queue]].is_sent()) waiting |= 1U << queue;
-  if (launch_ && cycle >= launch_->done_at && heads.has_launch_room) waiting |= 1U << kLaunched;
+  if (launch && cycle >= launch->done_at && heads.has_launch_room) waiting |= 1U << kLaunched;
   waiting &= ~reader.held;
+  const std::uint32_t own = world.job.units.looks == 2 ? kOfLook[number] : ~0U;
+  waiting &= own;
   if (!reader.may_be_free) waiting &= ~to_read_;
   if (waiting == 0) return;
 
   const bool begins = (waiting >> kLaunched & 1U) != 0;
-  const unsigned from = begins ? kLaunched : turn_.next(waiting);
-  const std::uint32_t ray = begins ? launch_->ray : *heads.rays[from];
+  const unsigned from = begins ? kLaunched : look_turns_[number].next(waiting);
+  const std::uint32_t ray = begins ? launch->ray : *heads.rays[from];
   RayWalk& walk = world.rays[ray];
   if (!walk.is_probed()) walk.probe(world.columns, world.job, world.counts);
   const bool has_more_to_do = walk.reads() > 0 || walk.end();
-  if (has_more_to_do ? !reader.is_free : reader.writes) {
+  if (has_more_to_do ? !reader.is_free : reader.writes && (own & reader.held) != 0) {
     if (has_more_to_do) to_read_ |= 1U << from;
     return;
   }
   to_read_ &= ~(1U << from);
-  if (begins)
-    launch_.reset();
-  else
-    turn_.take(1U << from);
+  if (begins) {
+    launch.reset();
+    pass_turn(launch_turn_.out, world);
+  } else {
+    look_turns_[number].take(1U << from);
+  }
   ++work(RayStage::look);
   if (!has_more_to_do) {
     pass(world, ray, from, cycle, deeds);
@@ -98,6 +134,7 @@ void RayEngine::look(const RayWorld& world, const RayHeads& heads, const Reader&
   walk.age += reading;
   work(RayStage::read) += reading;
   read_ = {ray, from, cycle + reading};
+  reader.is_free = false;
   if (!walk.end()) return;
   walk.age += 1 + walk.end()->meet_cycles + walk.end()->bend_cycles + ray_timing::kAnswer;
   ++work(RayStage::read);

@@ -47,7 +47,7 @@ class RayEngine {
   /// One cycle. A ray that goes on may do so from the next cycle on.
   RayDeeds step(const RayWorld& world, const RayHeads& heads, std::int64_t cycle);
 
-  bool is_idle() const { return !launch_ && !read_ && !meet_ && !bend_ && !answer_; }
+  bool is_idle() const;
 
   /// The ray that is to be answered in this cycle, if there is one, and what it could not begin
   /// here.
@@ -76,13 +76,25 @@ class RayEngine {
   struct Reader {
     bool may_be_free;    // or is: told early in the cycle
     bool is_free;        // told late
-    bool writes;         // a ray that it passes would go where the look's does
+    bool writes;         // a ray that it passes would go where that of its look does
     std::uint32_t held;  // it has the head of this queue, one bit
   };
 
-  Reader read(const RayWorld& world, bool meet_takes, std::int64_t cycle, RayDeeds& deeds);
-  void look(const RayWorld& world, const RayHeads& heads, const Reader& reader, std::int64_t cycle,
-            RayDeeds& deeds);
+  // Where a ray that goes no further meets a plane, and the new directions.
+  struct HitUnit {
+    std::optional<Stage> meet, bend;
+  };
+  // Units take rays by turns, and give them back in that order.
+  struct Turn {
+    std::uint8_t in = 0, out = 0;
+  };
+  static void pass_turn(std::uint8_t& turn, const RayWorld& world);
+
+  void hit(const RayWorld& world, std::int64_t cycle);
+  Reader read(const RayWorld& world, std::int64_t cycle, RayDeeds& deeds);
+  void look(const RayWorld& world, const RayHeads& heads, unsigned number, Reader& reader,
+            std::int64_t cycle, RayDeeds& deeds);
+  void launch(const RayWorld& world, const RayHeads& heads, std::int64_t cycle, RayDeeds& deeds);
   void pass(const RayWorld& world, std::uint32_t ray, unsigned from, std::int64_t cycle,
             RayDeeds& deeds);
   void begin_child(const RayWorld& world, const RayHeads& heads, std::int64_t cycle,
@@ -90,10 +102,12 @@ class RayEngine {
 
   std::int64_t& work(RayStage stage) { return work_[static_cast<std::size_t>(stage)]; }
 
-  std::optional<Stage> launch_, meet_, bend_;
+  std::array<std::optional<Stage>, 2> launches_;
+  std::array<HitUnit, 2> hits_;
+  Turn launch_turn_, hit_turn_;
   std::optional<Reading> read_;
   std::optional<Answer> answer_;
-  Rotate turn_;
+  std::array<Rotate, 2> look_turns_;
   std::uint32_t to_read_ = 0;  // heads that are known to want the reader, one bit each
   std::array<std::int64_t, kRayStages> work_{};
 };

@@ -54,6 +54,16 @@ bool operator==(const RayCounts& a, const RayCounts& b) {
   return all(a) == all(b);
 }
 
+std::pair<std::int64_t, RayStage> RayTraffic::busiest() const {
+  std::pair<std::int64_t, RayStage> most{0, RayStage::look};
+  for (std::size_t number = 0; number < kRayStages; ++number) {
+    const auto stage = static_cast<RayStage>(number);
+    const std::int64_t least = (work[number] + units.of(stage) - 1) / units.of(stage);
+    if (least > most.first) most = {least, stage};
+  }
+  return most;
+}
+
 std::int64_t RayCounts::total() const {
   return std::accumulate(issued.begin(), issued.end(), std::int64_t{0});
 }

@@ -40,8 +40,9 @@ class Pair {
 
   VoxelMemory voxels() { return golden_.read_voxels(); }
 
-  RayTraffic compare(int depth, int queue, const std::vector<RayStart>* starts = nullptr) {
-    const RayJob job{{depth, 16}, &optics_, starts, queue};
+  RayTraffic compare(int depth, int queue, const std::vector<RayStart>* starts = nullptr,
+                     const RayUnits& units = {}) {
+    const RayJob job{{depth, 16}, &optics_, starts, queue, units};
     const RayResult want = golden_.trace(job, {}), have = cycle_.trace(job, {});
     report::check_rays(have);
     EXPECT_EQ(want.hits.size(), have.hits.size());
@@ -49,7 +50,7 @@ class Pair {
     EXPECT_TRUE(want.counts == have.counts);
     const RayTraffic& traffic = have.traffic;
     EXPECT_EQ(traffic.answers, have.counts.total());
-    EXPECT_GE(traffic.cycles, std::max(traffic.busiest(), traffic.latency));
+    EXPECT_GE(traffic.cycles, std::max(traffic.busiest().first, traffic.latency));
     return traffic;
   }
 
@@ -124,6 +125,21 @@ TEST(RayArray, DoesNotBlockWhereAllRaysStartInOneCell) {
   for (const int queue : {1, 4}) {
     const RayTraffic traffic = pair.compare(3, queue, &starts);
     EXPECT_GE(traffic.cycles, n * n) << "a cell begins one ray at a time";
+  }
+}
+
+// Neither what is hit nor what would be if nothing waited depends on how many units a cell has.
+TEST(RayArray, HitsTheSameWithMoreUnitsInACell) {
+  Pair pair("gallery", 32);
+  pair.make_lively();
+  const RayTraffic one = pair.compare(4, 1);
+  for (const RayUnits units : {RayUnits{2, 1}, RayUnits{1, 2}, RayUnits{2, 2}}) {
+    const RayTraffic more = pair.compare(4, 1, nullptr, units);
+    EXPECT_EQ(more.work, one.work) << units.looks << " looks, " << units.arithmetic;
+    EXPECT_EQ(more.hops, one.hops);
+    if (units.looks + units.arithmetic == 4) {
+      EXPECT_LT(more.cycles, one.cycles);
+    }
   }
 }
 
