@@ -22,6 +22,13 @@ struct RayTrafficOptions : TableOptions {
   std::vector<int> looks = {1}, arithmetic = {1};
   std::string view = "front";
   bool all_mirrors = false;
+
+  std::vector<RayUnits> units() const {
+    std::vector<RayUnits> all;
+    for (const int of_look : looks)
+      for (const int of_rest : arithmetic) all.push_back({of_look, of_rest});
+    return all;
+  }
 };
 
 struct Row {
@@ -38,31 +45,32 @@ void measure(const std::string& name, int n, const RayTrafficOptions& options, P
   scene.n = n;
   scene.fraction_bits = kRenderFraction;
   const Job job = prepare(scene, true);
-  MachineConfig config;
-  config.n = n;
-  config.fraction_bits = kRenderFraction;
-  config.feeders = default_feeders(n);
-  cycle::CycleMachine machine(config);
   const std::string title = std::filesystem::path(name).filename().string();
-  machine.load(job.facets.packets, bar.step(fmt::format("{}, n = {}: loading", title, n)));
   std::vector<rays::Facet> optics = facet::find_optics(job.facets.facets, job.scene.materials);
   if (options.all_mirrors) make_mirrors(optics);
   const std::vector<RayStart> starts = ray_starts(sights_of(job.scene, options.view, n), n);
-  const auto trace = [&](int depth, int queue, const RayUnits& units) {
-    const RayJob rays{{depth, weight_of(kDefaultLeastWeight)},
-                      &optics,
-                      starts_for(options.view, starts),
-                      queue,
-                      units};
-    const RayResult result = machine.trace(
-        rays, bar.step(fmt::format("{}, n = {}, depth {}, queues of {}", title, n, depth, queue)));
-    report::check_rays(result);
-    rows.push_back({title, n, depth, queue, result.counts, result.traffic});
-  };
-  for (const int depth : options.depths)
-    for (const int queue : options.queues)
-      for (const int looks : options.looks)
-        for (const int arithmetic : options.arithmetic) trace(depth, queue, {looks, arithmetic});
+  for (const RayUnits& units : options.units()) {
+    MachineConfig config;
+    config.n = n;
+    config.fraction_bits = kRenderFraction;
+    config.feeders = default_feeders(n);
+    config.ray_units = units;
+    cycle::CycleMachine machine(config);
+    machine.load(job.facets.packets, bar.step(fmt::format("{}, n = {}: loading", title, n)));
+    for (const int depth : options.depths) {
+      for (const int queue : options.queues) {
+        const RayJob rays{{depth, weight_of(kDefaultLeastWeight)},
+                          &optics,
+                          starts_for(options.view, starts),
+                          queue};
+        const RayResult result = machine.trace(
+            rays,
+            bar.step(fmt::format("{}, n = {}, depth {}, queues of {}", title, n, depth, queue)));
+        report::check_rays(result);
+        rows.push_back({title, n, depth, queue, result.counts, result.traffic});
+      }
+    }
+  }
 }
 
 double ratio(std::int64_t a, std::int64_t b) {
@@ -89,23 +97,23 @@ void print(const std::vector<Row>& rows) {
         "\n",
         row.scene, row.n, row.depth, row.queue, of.units.looks, of.units.arithmetic,
         row.counts.total(), of.load_cycles, look, read, launch, meet, of.busiest_link, of.latency,
-        of.cycles, ratio(of.cycles, std::max(of.busiest().first, of.latency)),
+        of.cycles, ratio(of.cycles, std::max(of.busiest().cycles, of.latency)),
         100 * utilisation(row), 100 * ratio(of.sent_again, row.counts.total()));
   }
 }
 
 std::string to_csv(const std::vector<Row>& rows) {
   std::string csv =
-      "scene,n,depth,queue,looks,arithmetic,rays,probes,load,look,read,launch,meet,link,latency,T,"
-      "utilisation,hops,"
-      "waits,run_on,sent_again,max_stack\n";
+      "scene,n,depth,queue,looks,arithmetic,rays,probes,load,look,read,launch,meet,busiest,link,"
+      "latency,T,utilisation,hops,waits,run_on,sent_again,max_stack\n";
   for (const Row& row : rows) {
     const RayTraffic& of = row.traffic;
-    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{:.5f},{},{},{},{},{}\n", row.scene,
-                       row.n, row.depth, row.queue, of.units.looks, of.units.arithmetic,
-                       row.counts.total(), row.counts.probes, of.load_cycles,
-                       fmt::join(of.work, ","), of.busiest_link, of.latency, of.cycles,
-                       utilisation(row), of.hops, of.waits, of.run_on, of.sent_again, of.max_stack);
+    csv +=
+        fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:.5f},{},{},{},{},{}\n", row.scene,
+                    row.n, row.depth, row.queue, of.units.looks, of.units.arithmetic,
+                    row.counts.total(), row.counts.probes, of.load_cycles, fmt::join(of.work, ","),
+                    of.busiest().cycles, of.busiest_link, of.latency, of.cycles, utilisation(row),
+                    of.hops, of.waits, of.run_on, of.sent_again, of.max_stack);
   }
   return csv;
 }

@@ -39,7 +39,7 @@ std::string to_json(const RenderReport& report) {
     work[kRayStageNames[stage]] = traffic.work[stage];
   json["traffic"] = {{"load_cycles", traffic.load_cycles},
                      {"cycles", traffic.cycles},
-                     {"busiest", traffic.busiest().first},
+                     {"busiest", traffic.busiest().cycles},
                      {"busiest_cells", work},
                      {"latency", traffic.latency},
                      {"hops", traffic.hops},
@@ -76,7 +76,7 @@ std::string to_text(const RenderReport& report) {
       counts.planes);
   if (report.machine != "golden") {
     const RayTraffic& traffic = report.result->traffic;
-    const auto [busiest, stage] = traffic.busiest();
+    const RayTraffic::Busiest busiest = traffic.busiest();
     text += fmt::format(
         "cycles to load them    {}\n"
         "cycles                 {}\n"
@@ -85,8 +85,7 @@ std::string to_text(const RenderReport& report) {
         "began where they were  {}\n"
         "sent from home again   {}\n"
         "agrees with golden     {}\n",
-        traffic.load_cycles, traffic.cycles, busiest,
-        kRayStageNames[static_cast<std::size_t>(stage)],
+        traffic.load_cycles, traffic.cycles, busiest.cycles, busiest.stage,
         report.machine == "rtl" ? "known to the cycle model"
                                 : fmt::format("{} cycles, if nothing waited", traffic.latency),
         traffic.run_on, traffic.sent_again, report.agrees ? "in every hit" : "NO");

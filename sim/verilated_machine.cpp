@@ -183,10 +183,6 @@ class VerilatedMachine final : public Machine {
                       "Verilated machine "
                       "was built for {} and {}; ask for less, or raise RC2_RAYDEPTH and RC2_RAYQ",
                       job.limits.depth, job.queue, config_.ray_depth, config_.ray_queue));
-    if (job.units.looks != 1 || job.units.arithmetic != 1)
-      throw Error(
-          "the rays cannot be traced: a cell of the RTL has one look and one unit of each "
-          "arithmetic; ask the cycle model");
     write_register(kCommand, kCommandClearRays);
     write_register(kRayLimits, ray_limits(job.limits.depth, job.queue, job.limits.least_weight));
     send_rays(job);

@@ -33,6 +33,12 @@ inline LightMode parse_light_mode(const std::string& word) {
 /// Cycles that light takes from a cell to the next where nothing holds it up.
 constexpr int hop_stages(LightMode mode) { return mode == LightMode::thesis ? 3 : 2; }
 
+/// Of what a cell may have one or two to do with rays. RTL has one of each.
+struct RayUnits {
+  int looks = 1;       ///< 2: one for rays to the east and those that begin, one for the others
+  int arithmetic = 1;  ///< in which rays begin, and likewise in which they meet a plane
+};
+
 /// What a machine was built for. A job may ask for less (fraction bits, L, FA), never for more.
 struct MachineConfig {
   int n = 16;             ///< cells per side, voxels per column (>= 2)
@@ -47,6 +53,7 @@ struct MachineConfig {
   /// Most bounces of a ray, and places of a queue that rays travel through, in a machine that has
   /// cells for them; 0: it has none. Golden and cycle model trace whatever this says.
   int ray_depth = 0, ray_queue = 0;
+  RayUnits ray_units = {};
 
   /// Whether the machine knows LightRule::accurate, which needs the layers.
   bool accurate_light() const { return layers && mode == LightMode::fast; }

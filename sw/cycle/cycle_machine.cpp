@@ -40,7 +40,7 @@ RayResult CycleMachine::trace(const RayJob& job, const Progress& progress) {
     words.push_back(ray_word_sorts(config_, boxes_, job, k));
   const std::int64_t load_cycles =
       LoadArray(config_.n, config_.feeders, columns_).run(words, progress);
-  RayResult result = RayArray(config_.n, columns_, job).run(progress);
+  RayResult result = RayArray(config_.n, columns_, config_.ray_units, job).run(progress);
   result.traffic.load_cycles = load_cycles;
   return result;
 }

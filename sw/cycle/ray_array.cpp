@@ -22,12 +22,12 @@ constexpr std::int64_t kPatience = 1000;
 
 }  // namespace
 
-RayArray::RayArray(int n, const Columns& columns, const RayJob& job)
+RayArray::RayArray(int n, const Columns& columns, const RayUnits& units, const RayJob& job)
     : n_(n),
       job_(job),
       queues_(static_cast<std::size_t>(n) * n, job.queue),
       cells_(static_cast<std::size_t>(n) * n),
-      world_{n, columns, job, rays_, result_.counts} {}
+      world_{n, columns, units, job, rays_, result_.counts} {}
 
 RayResult RayArray::run(const Progress& progress) {
   for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
@@ -49,7 +49,7 @@ RayResult RayArray::run(const Progress& progress) {
   }
   RayTraffic& traffic = result_.traffic;
   traffic.cycles = cycle_;
-  traffic.units = job_.units;
+  traffic.units = world_.units;
   for (const Cell& cell : cells_) {
     for (std::size_t stage = 0; stage < kRayStages; ++stage)
       traffic.work[stage] = std::max(traffic.work[stage], cell.engine.work()[stage]);

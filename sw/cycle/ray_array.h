@@ -19,7 +19,7 @@ namespace rc2::cycle {
 class RayArray {
  public:
   /// Everything must outlive this.
-  RayArray(int n, const Columns& columns, const RayJob& job);
+  RayArray(int n, const Columns& columns, const RayUnits& units, const RayJob& job);
 
   /// Throws std::logic_error if the array blocks or loses a ray.
   RayResult run(const Progress& progress);

@@ -8,8 +8,9 @@ using ray_queue::kLaunched;
 
 namespace {
 
-// Rays to the west have the queues of odd quadrants.
-constexpr std::array<std::uint32_t, 2> kOfLook{0b1'0011'0011, 0b0'1100'1100};
+// Whose rays each of one look, or of two, sees. Rays to the west have the queues of odd quadrants.
+constexpr std::array<std::array<std::uint32_t, 2>, 2> kOfLook{
+    {{0b1'1111'1111, 0}, {0b1'0011'0011, 0b0'1100'1100}}};
 
 }  // namespace
 
@@ -19,7 +20,7 @@ bool RayEngine::is_idle() const {
 }
 
 void RayEngine::pass_turn(std::uint8_t& turn, const RayWorld& world) {
-  turn = static_cast<std::uint8_t>((turn + 1) % world.job.units.arithmetic);
+  turn = static_cast<std::uint8_t>((turn + 1) % world.units.arithmetic);
 }
 
 // The last stage first: each knows what the next one takes by what it had when the cycle began.
@@ -28,10 +29,9 @@ RayDeeds RayEngine::step(const RayWorld& world, const RayHeads& heads, std::int6
   begin_child(world, heads, cycle, deeds);
   hit(world, cycle);
   Reader reader = read(world, cycle, deeds);
-  const bool has_two = world.job.units.looks == 2;
-  const unsigned first = has_two ? static_cast<unsigned>(cycle % 2) : 0;
-  look(world, heads, first, reader, cycle, deeds);
-  if (has_two) look(world, heads, 1 - first, reader, cycle, deeds);
+  // If both want the reader, each has it in every second cycle.
+  for (const std::int64_t number : {cycle % 2, 1 - cycle % 2})
+    look(world, heads, static_cast<std::size_t>(number), reader, cycle, deeds);
   launch(world, heads, cycle, deeds);
   return deeds;
 }
@@ -66,14 +66,15 @@ void RayEngine::hit(const RayWorld& world, std::int64_t cycle) {
 // A ray that has been read goes on in the cycle of the verdict, or to the next stage in a later
 // one.
 RayEngine::Reader RayEngine::read(const RayWorld& world, std::int64_t cycle, RayDeeds& deeds) {
-  if (!read_) return {true, true, false, 0};
+  if (!read_) return {true, true, 0, 0};
   const Reading now = *read_;
   const RayWalk& walk = world.rays[now.ray];
   Reader reader{};
   if (cycle <= now.verdict_at) {
     reader.held = 1U << now.from;
     if (cycle < now.verdict_at) return reader;
-    reader.may_be_free = reader.writes = !walk.has_more();
+    reader.may_be_free = !walk.has_more();
+    reader.writes = reader.may_be_free ? reader.held : 0;
     if (!walk.end()) {
       pass(world, now.ray, now.from, cycle, deeds);
       read_.reset();
@@ -95,15 +96,15 @@ RayEngine::Reader RayEngine::read(const RayWorld& world, std::int64_t cycle, Ray
 }
 
 // One ray: the one that begins here before those that pass.
-void RayEngine::look(const RayWorld& world, const RayHeads& heads, unsigned number, Reader& reader,
-                     std::int64_t cycle, RayDeeds& deeds) {
+void RayEngine::look(const RayWorld& world, const RayHeads& heads, std::size_t number,
+                     Reader& reader, std::int64_t cycle, RayDeeds& deeds) {
+  const std::uint32_t own = kOfLook[static_cast<std::size_t>(world.units.looks) - 1][number];
   std::optional<Stage>& launch = launches_[launch_turn_.out];
   std::uint32_t waiting = 0;
   for (unsigned queue = 0; queue < kLaunched; ++queue)
     if (heads.rays[queue] && !world.rays[*heads.rays[queue]].is_sent()) waiting |= 1U << queue;
   if (launch && cycle >= launch->done_at && heads.has_launch_room) waiting |= 1U << kLaunched;
   waiting &= ~reader.held;
-  const std::uint32_t own = world.job.units.looks == 2 ? kOfLook[number] : ~0U;
   waiting &= own;
   if (!reader.may_be_free) waiting &= ~to_read_;
   if (waiting == 0) return;
@@ -114,7 +115,7 @@ void RayEngine::look(const RayWorld& world, const RayHeads& heads, unsigned numb
   RayWalk& walk = world.rays[ray];
   if (!walk.is_probed()) walk.probe(world.columns, world.job, world.counts);
   const bool has_more_to_do = walk.reads() > 0 || walk.end();
-  if (has_more_to_do ? !reader.is_free : reader.writes && (own & reader.held) != 0) {
+  if (has_more_to_do ? !reader.is_free : (reader.writes & own) != 0) {
     if (has_more_to_do) to_read_ |= 1U << from;
     return;
   }

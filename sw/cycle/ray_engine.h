@@ -21,6 +21,7 @@ struct RayBegin {
 struct RayWorld {
   int n;
   const Columns& columns;
+  RayUnits units;
   const RayJob& job;
   Pool<RayWalk>& rays;
   RayCounts& counts;
@@ -74,10 +75,10 @@ class RayEngine {
   };
   // What the reader lets the look do.
   struct Reader {
-    bool may_be_free;    // or is: told early in the cycle
-    bool is_free;        // told late
-    bool writes;         // a ray that it passes would go where that of its look does
-    std::uint32_t held;  // it has the head of this queue, one bit
+    bool may_be_free;      // or is: told early in the cycle
+    bool is_free;          // told late
+    std::uint32_t held;    // it has the head of this queue, one bit
+    std::uint32_t writes;  // likewise, if it may pass it: it would go where that of its look does
   };
 
   // Where a ray that goes no further meets a plane, and the new directions.
@@ -92,7 +93,7 @@ class RayEngine {
 
   void hit(const RayWorld& world, std::int64_t cycle);
   Reader read(const RayWorld& world, std::int64_t cycle, RayDeeds& deeds);
-  void look(const RayWorld& world, const RayHeads& heads, unsigned number, Reader& reader,
+  void look(const RayWorld& world, const RayHeads& heads, std::size_t number, Reader& reader,
             std::int64_t cycle, RayDeeds& deeds);
   void launch(const RayWorld& world, const RayHeads& heads, std::int64_t cycle, RayDeeds& deeds);
   void pass(const RayWorld& world, std::uint32_t ray, unsigned from, std::int64_t cycle,

@@ -54,14 +54,14 @@ bool operator==(const RayCounts& a, const RayCounts& b) {
   return all(a) == all(b);
 }
 
-std::pair<std::int64_t, RayStage> RayTraffic::busiest() const {
-  std::pair<std::int64_t, RayStage> most{0, RayStage::look};
-  for (std::size_t number = 0; number < kRayStages; ++number) {
-    const auto stage = static_cast<RayStage>(number);
-    const std::int64_t least = (work[number] + units.of(stage) - 1) / units.of(stage);
-    if (least > most.first) most = {least, stage};
+RayTraffic::Busiest RayTraffic::busiest() const {
+  const std::array<int, kRayStages> of{units.looks, 1, units.arithmetic, units.arithmetic};
+  Busiest busiest{0, kRayStageNames[0]};
+  for (std::size_t stage = 0; stage < kRayStages; ++stage) {
+    const std::int64_t least = (work[stage] + of[stage] - 1) / of[stage];
+    if (least > busiest.cycles) busiest = {least, kRayStageNames[stage]};
   }
-  return most;
+  return busiest;
 }
 
 std::int64_t RayCounts::total() const {

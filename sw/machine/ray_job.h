@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
-#include <utility>
 #include <vector>
 
+#include "sw/base/config.h"
 #include "sw/rays/ray.h"
 #include "sw/rays/split.h"
 
@@ -19,23 +19,6 @@ struct RayStart {
   glm::ivec3 direction;  ///< unit vector, rays::direction_fraction(n) fraction bits; 0: no ray
 };
 
-/// What a cell does with rays, each at the same time as the others (docs/render.md).
-enum class RayStage : std::uint8_t { look, read, launch, meet };
-constexpr std::size_t kRayStages = 4;
-constexpr std::array<const char*, kRayStages> kRayStageNames{"look", "read", "launch", "meet"};
-
-/// Of what a cell may have two: the RTL has one of each, the cycle model shows what more would
-/// buy.
-struct RayUnits {
-  int looks = 1;       ///< 2: one for rays to the east and those that begin, one for the others
-  int arithmetic = 1;  ///< in which rays begin, and likewise in which they meet a plane
-
-  int of(RayStage stage) const {
-    if (stage == RayStage::read) return 1;
-    return stage == RayStage::look ? looks : arithmetic;
-  }
-};
-
 /// The pixels' rays and their trees.
 struct RayJob {
   rays::Limits limits;
@@ -43,8 +26,7 @@ struct RayJob {
   const std::vector<rays::Facet>* facets;
   /// Row by row from y = 0, n * n of them; null: the viewer looks along -z from the cube's front.
   const std::vector<RayStart>* starts = nullptr;
-  int queue = 2;        ///< places of each queue of the network; golden has none
-  RayUnits units = {};  ///< of a cell; golden has none
+  int queue = 2;  ///< places of each queue of the network; golden has none
 };
 
 /// One ray that has ended.
@@ -76,6 +58,11 @@ struct RayCounts {
 
 bool operator==(const RayCounts& a, const RayCounts& b);
 
+/// What a cell does with rays, each at the same time as the others (docs/render.md).
+enum class RayStage : std::uint8_t { look, read, launch, meet };
+constexpr std::size_t kRayStages = 4;
+constexpr std::array<const char*, kRayStages> kRayStageNames{"look", "read", "launch", "meet"};
+
 /// How the rays travelled; 0 on golden; latency, waits, messages, busiest_link and max_stack 0 on
 /// rtl. Rays begun = first
 /// rays + run_on + sent_again.
@@ -84,7 +71,7 @@ struct RayTraffic {
   std::int64_t cycles = 0;       ///< from the start to the last answer at home
   /// Of each stage, the cycles that the busiest cell's units were at work, and did not wait.
   std::array<std::int64_t, kRayStages> work{};
-  RayUnits units;
+  RayUnits units;            ///< that a cell has
   std::int64_t latency = 0;  ///< of the longest chain of rays and its way home, if nothing waited
   std::int64_t hops = 0;     ///< of rays, from cell to cell
   std::int64_t waits = 0;    ///< cycles that rays spent with nothing left to do but to go on
@@ -95,8 +82,12 @@ struct RayTraffic {
   std::int64_t messages = 0;      ///< over all links: rays, starts and answers
   std::int64_t busiest_link = 0;  ///< over the one with the most
 
-  /// No machine with so many units in a cell takes less: cycles, and of which stage.
-  std::pair<std::int64_t, RayStage> busiest() const;
+  /// No machine with so many units in a cell takes less.
+  struct Busiest {
+    std::int64_t cycles;
+    const char* stage;
+  };
+  Busiest busiest() const;
 };
 
 struct RayResult {

@@ -92,9 +92,14 @@ class Render(HostTest):
                 self.assertEqual((row["hops"], row["rays"]), ("0", str(int(row["n"]) ** 2)))
         mirrors = self.succeed("ray-traffic", "gallery", "--n", 12, "--all-mirrors", "--depth", 2, "--queue", 1)
         self.assertNotIn(mirrors.splitlines()[1], text)
+        self.succeed("ray-traffic", "gallery", "--n", 12, "--looks", "1,2", "--arithmetic", 2, "--depth", 2, "--queue", 1,
+                     "--out", "u.csv")
+        with open(self.folder / "u.csv", newline="") as file:
+            self.assertEqual([(row["looks"], row["arithmetic"]) for row in csv.DictReader(file)], [("1", "2"), ("2", "2")])
 
     def test_bad_input(self):
         self.refuse("ray-traffic", "ball:4", "--n", 16, "--queue", 0, says="--queue")
+        self.refuse("ray-traffic", "ball:4", "--n", 16, "--looks", 3, says="--looks")
         self.refuse("ray-traffic", "ball:4", "--n", 16, "--view", "camera", says="has no camera")
         self.refuse("render", "ball:4", "--n", 16, "--queue", 0, says="--queue")
         if not SANITIZED:
