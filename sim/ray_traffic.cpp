@@ -19,7 +19,7 @@ struct RayTrafficOptions : TableOptions {
   RayTrafficOptions() { sides = {32, 64}; }
   std::vector<int> depths = {1, 4};
   std::vector<int> queues = {1, 2, 4};
-  std::vector<int> looks = {1}, arithmetic = {1};
+  std::vector<int> looks = {RayUnits{}.looks}, arithmetic = {RayUnits{}.arithmetic};
   std::string view = "front";
   bool all_mirrors = false;
 
@@ -128,9 +128,12 @@ void declare_ray_traffic(CLI::App& program, ExitCode& exit_code) {
                         "Files that Assimp reads, or generated scenes: those of run");
   declare_list(*command, "--depth", options->depths, 0, rays::kMaxDepth, "Bounces");
   declare_list(*command, "--queue", options->queues, 1, 1024, "Places of each queue");
-  declare_list(*command, "--looks", options->looks, 1, 2, "Looks of a cell");
+  command->add_option("--looks", options->looks, "Looks of a cell")
+      ->delimiter(',')
+      ->check(CLI::IsMember({1, 2, 4}))
+      ->capture_default_str();
   declare_list(*command, "--arithmetic", options->arithmetic, 1, 2,
-               "Units of a cell in which rays begin, and in which they meet a plane");
+               "Units of a cell in which rays begin, and as many in which they meet a plane");
   declare_view(*command, options->view);
   command->add_flag("--all-mirrors", options->all_mirrors, "Make every facet a perfect mirror");
   command->callback([options, &exit_code] {

@@ -27,7 +27,7 @@ module rc2_ray_home (
     input  logic                              plane_i,
     input  logic                              run_on_i,
     input  logic [                       2:0] hops_i,
-    input  logic [                       3:0] work_i,  // of the stages: look, read, launch, meet
+    input  logic [                       8:0] work_i,  // of the units: 4 look, 1 read, 2 launch, 2 meet
     // readback
     input  logic                              read_i,
     output logic                              read_done_o,
@@ -135,6 +135,11 @@ module rc2_ray_home (
 
   // ---- Counts ------------------------------------------------------------------------------------
   logic [ValueW-1:0] probes_q, planes_q, run_on_q, hops_q, reader_q, launch_q, meet_q;
+  logic [2:0] looks;
+  logic [1:0] launches, meets;
+  assign looks = 3'(work_i[0]) + 3'(work_i[1]) + 3'(work_i[2]) + 3'(work_i[3]);
+  assign launches = 2'(work_i[5]) + 2'(work_i[6]);
+  assign meets = 2'(work_i[7]) + 2'(work_i[8]);
   always_ff @(posedge clk_i) begin
     if (!rst_ni || clear_i) begin
       probes_q <= '0;
@@ -145,13 +150,13 @@ module rc2_ray_home (
       launch_q <= '0;
       meet_q   <= '0;
     end else begin
-      probes_q <= probes_q + ValueW'(work_i[0]);
+      probes_q <= probes_q + ValueW'(looks);
       planes_q <= planes_q + ValueW'(plane_i);
       run_on_q <= run_on_q + ValueW'(run_on_i);
       hops_q   <= hops_q + ValueW'(hops_i);
-      reader_q <= reader_q + ValueW'(work_i[1]);
-      launch_q <= launch_q + ValueW'(work_i[2]);
-      meet_q   <= meet_q + ValueW'(work_i[3]);
+      reader_q <= reader_q + ValueW'(work_i[4]);
+      launch_q <= launch_q + ValueW'(launches);
+      meet_q   <= meet_q + ValueW'(meets);
     end
   end
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The stage that looks at a ray a cycle: the one that begins here first, then by turns the heads of the
-// queues. One that passes nothing goes on in the same cycle; another goes to the reader, if that is free.
-// If not, it is left alone until the reader may be, so that others pass it (docs/render.md, thesis 1.3.2).
+// The stage that looks at a ray of its quadrant a cycle: the one that begins here first, then by turns the
+// heads of its queues. One that passes nothing goes on in the same cycle; another goes to the reader, if it is
+// given that. If not, it is left alone until the reader may be free, so that others pass it (docs/render.md,
+// thesis 1.3.2).
 
 module rc2_ray_look (
     input  logic                             clk_i,
@@ -11,21 +12,21 @@ module rc2_ray_look (
     input  logic [     rc2_pkg::CoordW-1:0] y_i,
     input  logic [          rc2_pkg::N-1:0] occupied_i,
     input  logic [          rc2_pkg::N-1:0] solid_i,
-    // heads of the queues, quadrant {south, west} and axis of the way in as a number; 8 begins here
-    input  logic [                      8:0] waits_i,
-    input  logic [ 8*rc2_pkg::MessageW-1:0] heads_i,
+    // heads of its queues by the axis of the way in; 2 begins here
+    input  logic [                      2:0] waits_i,
+    input  logic [ 2*rc2_pkg::MessageW-1:0] heads_i,
     input  rc2_pkg::ray_t                   begins_i,
     // the reader, as rc2_ray_read has it
     input  logic                             early_i,
-    input  logic                             free_i,
-    input  logic                             last_i,
-    output logic                             take_o,
+    input  logic                             given_i,   // by wants_o
+    input  logic                             blocks_i,  // what it may pass goes where rays of this quadrant go
+    output logic                             wants_o,
     output logic [          rc2_pkg::N-1:0] todo_o,
     output logic                             leaves_o,
     output logic                             beyond_o,
     // the ray that is looked at
-    output logic [                      8:0] pass_o,   // goes on
-    output logic [                      8:0] turn_o,
+    output logic [                      2:0] pass_o,   // goes on
+    output logic [                      2:0] turn_o,
     output rc2_pkg::ray_t                   ray_o,
     output logic [     rc2_pkg::CoordW-1:0] z_o,
     output logic                             along_y_o,
@@ -38,25 +39,24 @@ module rc2_ray_look (
   localparam int unsigned DecisionW = rc2_pkg::DecisionW;
 
   // ---- Which ray ---------------------------------------------------------------------------------
-  logic [8:0] to_read_q, may;
-  logic [7:0] turn;
+  logic [2:0] to_read_q, may;
+  logic [1:0] turn;
   logic [MessageW-1:0] bits;
   rc2_pkg::start_t start;
-  assign may = waits_i & ~(to_read_q & {9{!early_i}});
+  assign may = waits_i & ~(to_read_q & {3{!early_i}});
   rc2_rotate #(
-      .Ways(8)
+      .Ways(2)
   ) u_turn (
       .clk_i    (clk_i),
       .rst_ni   (rst_ni),
-      .request_i(may[7:0]),
-      .take_i   (work_o && !may[8]),
+      .request_i(may[1:0]),
+      .take_i   (work_o && !may[2]),
       .grant_o  (turn)
   );
-  assign turn_o = may[8] ? 9'h100 : {1'b0, turn};
-  always_comb begin
-    bits = MessageW'(begins_i) & {MessageW{may[8]}};
-    for (int i = 0; i < 8; i++) bits = bits | (heads_i[i*MessageW+:MessageW] & {MessageW{turn_o[i]}});
-  end
+  assign turn_o = may[2] ? 3'b100 : {1'b0, turn};
+  assign bits = (MessageW'(begins_i) & {MessageW{may[2]}}) |
+                (heads_i[0+:MessageW] & {MessageW{turn_o[0]}}) |
+                (heads_i[MessageW+:MessageW] & {MessageW{turn_o[1]}});
   assign ray_o = bits[rc2_pkg::RayW-1:0];
   assign start = ray_o.start;
 
@@ -76,19 +76,22 @@ module rc2_ray_look (
                                : (start.dx[DirW-1] ? (x_i == 0) : (x_i == CoordW'(N - 1)));
   assign beyond_o = leaves_o || ends_cube;
 
-  // ---- What becomes of it: there is one way into the network, and what the reader passes comes first ---
+  // ---- What becomes of it --------------------------------------------------------------------------
   assign clear = (todo_o == 0) && !beyond_o;
-  assign take_o = (turn_o != 0) && !clear && free_i;
-  assign pass_o = turn_o & {9{clear && !last_i}};
-  assign work_o = take_o || (pass_o != 0);
+  assign wants_o = (turn_o != 0) && !clear;
+  assign pass_o = turn_o & {3{clear && !blocks_i}};
+  assign work_o = given_i || (pass_o != 0);
   always_ff @(posedge clk_i) begin
     if (!rst_ni) to_read_q <= '0;
-    else if (take_o) to_read_q <= to_read_q & ~turn_o;
-    else if (!clear) to_read_q <= to_read_q | turn_o;
+    else if (given_i) to_read_q <= to_read_q & ~turn_o;
+    else if (wants_o) to_read_q <= to_read_q | turn_o;
   end
 
-  // Contract: what wants the reader is there.
+  // Contract: one ray; it is given the reader if it wants it.
   always_ff @(posedge clk_i) begin
-    if (rst_ni) assert ((turn_o & (turn_o - 1'b1)) == 0);
+    if (rst_ni) begin
+      assert ((turn_o & (turn_o - 1'b1)) == 0);
+      assert (!(given_i && !wants_o));
+    end
   end
 endmodule

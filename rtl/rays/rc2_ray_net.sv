@@ -23,14 +23,14 @@ module rc2_ray_net (
     // the heads of the rays, and what becomes of them
     output logic [                      7:0] waits_o,  // for the probe
     output logic [  8*rc2_pkg::MessageW-1:0] heads_o,
-    input  logic [                      7:0] pass_i,   // goes on as ray_i
+    input  logic [                      7:0] pass_i,   // goes on as its quadrant's ray_i
     input  logic [                      7:0] pop_i,    // has ended
-    input  rc2_pkg::ray_t                    ray_i,
+    input  logic [    4*rc2_pkg::RayW-1:0] ray_i,
     output logic                             spawned_o,
     output rc2_pkg::start_t                  spawned_ray_o,
     input  logic                             spawned_taken_i,
     output logic                             launch_room_o,
-    input  logic                             launch_i,  // goes on as ray_i
+    input  logic [                      3:0] launch_i,  // goes on as its quadrant's ray_i
     output logic                             spawn_room_o,
     input  logic                             spawn_i,   // a new ray begins here
     input  rc2_pkg::start_t                  spawn_ray_i,
@@ -94,7 +94,7 @@ module rc2_ray_net (
         .push_i      (comes_to[Way*LinkRoomW+k/2]),
         .data_i      (comes[Way*MessageW+:RayW]),
         .probe_i     (pass_i[k]),
-        .probe_data_i(ray_i),
+        .probe_data_i(ray_i[k/2*RayW+:RayW]),
         .pop_i       (sent[k] || pop_i[k]),
         .data_o      (bits),
         .probed_o    (probed),
@@ -114,6 +114,7 @@ module rc2_ray_net (
   end
 
   logic launched_q;
+  logic [RayW-1:0] launched_ray;
   rc2_pkg::ray_t launched_ray_q;
   logic [StartW-1:0] launched_start;
   logic [1:0] launched_quadrant;
@@ -132,10 +133,15 @@ module rc2_ray_net (
     launched_q && !launched_ray_q.along_y && launched_quadrant[0],
     launched_q && !launched_ray_q.along_y && !launched_quadrant[0]
   };
+  always_comb begin
+    launched_ray = '0;
+    for (int q = 0; q < 4; q++)
+      launched_ray = launched_ray | (ray_i[q*RayW+:RayW] & {RayW{launch_i[q]}});
+  end
   always_ff @(posedge clk_i) begin
     if (!rst_ni || clear_i) launched_q <= 1'b0;
-    else launched_q <= launch_i || (launched_q && !sent[Launched]);
-    if (launch_i) launched_ray_q <= ray_i;
+    else launched_q <= (launch_i != 0) || (launched_q && !sent[Launched]);
+    if (launch_i != 0) launched_ray_q <= launched_ray;
   end
 
   for (genvar w = 0; w < 5; w++) begin : g_answer

@@ -28,7 +28,7 @@ module rc2_ray_read (
     output logic                          free_o,    // it is
     output logic [                   8:0] held_o,    // it has that one
     // it goes on
-    output logic                          last_o,    // if at all, then in this cycle
+    output logic [                   3:0] blocks_o,  // if at all, then in this cycle, by its quadrant
     output logic [                   8:0] pass_o,
     output rc2_pkg::ray_t                ray_o,
     output logic [  rc2_pkg::CoordW-1:0] z_o,
@@ -99,13 +99,13 @@ module rc2_ray_read (
       .in_room_o(in_room),
       .touches_o(touches)
   );
-  logic judged, stops, slips, passes, ends;
+  logic judged, stops, slips, last, passes, ends;
   assign judged = judge_q && judge_occupied_q;
   assign stops = judged && reached;
   assign slips = judge_q && !judge_occupied_q && ray_q.touched;
-  assign last_o = judge_q && !read_q && (todo_q == 0);
-  assign passes = last_o && !stops && !slips && !beyond_q;
-  assign ends = judge_q && (stops || slips || (last_o && beyond_q));
+  assign last = judge_q && !read_q && (todo_q == 0);
+  assign passes = last && !stops && !slips && !beyond_q;
+  assign ends = judge_q && (stops || slips || (last && beyond_q));
 
   // The ray, as the voxel leaves it.
   rc2_pkg::ray_t changed;
@@ -123,9 +123,10 @@ module rc2_ray_read (
 
   // ---- To whom it goes -------------------------------------------------------------------------------
   logic flees, leaves;
-  assign early_o = (!reading_q && !ended_q) || last_o || ended_q;
+  assign early_o = (!reading_q && !ended_q) || last || ended_q;
   assign free_o = (!reading_q && !ended_q) || passes || leaves;
   assign held_o = from_q & {9{reading_q}};
+  assign blocks_o = (4'd1 << {start.dy[DirW-1], start.dx[DirW-1]}) & {4{last}};
   assign pass_o = from_q & {9{passes}};
   assign ray_o = changed;
   assign z_o = last_q;

@@ -85,12 +85,13 @@ module rc2_rays (
   logic running_q, net_busy, reading;
   logic [7:0] waits, pass, pop;
   logic [8*rc2_pkg::MessageW-1:0] heads;
-  rc2_pkg::ray_t ray;
+  logic [4*rc2_pkg::RayW-1:0] ray;
+  logic [3:0] launch;
   rc2_pkg::start_t spawned_ray, spawn_ray, home_ray;
   rc2_pkg::answer_t answer_ray;
-  logic spawned, spawned_taken, launch_room, launch, spawn_room, spawn;
+  logic spawned, spawned_taken, launch_room, spawn_room, spawn;
   logic answer, answer_taken, home, home_taken, plane;
-  logic [3:0] work;
+  logic [8:0] work;
   logic [4:0] arrived, arrived_taken;
   logic [5*rc2_pkg::MessageW-1:0] answers;
   logic [2:0] hops;

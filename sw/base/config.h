@@ -33,10 +33,10 @@ inline LightMode parse_light_mode(const std::string& word) {
 /// Cycles that light takes from a cell to the next where nothing holds it up.
 constexpr int hop_stages(LightMode mode) { return mode == LightMode::thesis ? 3 : 2; }
 
-/// Of what a cell may have one or two to do with rays. RTL has one of each.
+/// What a cell may have more than one of, for rays. RTL has what is here unless told otherwise.
 struct RayUnits {
-  int looks = 1;       ///< 2: one for rays to the east and those that begin, one for the others
-  int arithmetic = 1;  ///< in which rays begin, and likewise in which they meet a plane
+  int looks = 4;       ///< 1, 2 (rays to the east, to the west) or 4 (one for each quadrant)
+  int arithmetic = 2;  ///< 1 or 2 in which rays begin, and as many in which they meet a plane
 };
 
 /// What a machine was built for. A job may ask for less (fraction bits, L, FA), never for more.

@@ -6,14 +6,6 @@ namespace rc2::cycle {
 
 using ray_queue::kLaunched;
 
-namespace {
-
-// Whose rays each of one look, or of two, sees. Rays to the west have the queues of odd quadrants.
-constexpr std::array<std::array<std::uint32_t, 2>, 2> kOfLook{
-    {{0b1'1111'1111, 0}, {0b1'0011'0011, 0b0'1100'1100}}};
-
-}  // namespace
-
 bool RayEngine::is_idle() const {
   const bool hits = hits_[0].meet || hits_[0].bend || hits_[1].meet || hits_[1].bend;
   return !launches_[0] && !launches_[1] && !read_ && !hits && !answer_;
@@ -29,9 +21,8 @@ RayDeeds RayEngine::step(const RayWorld& world, const RayHeads& heads, std::int6
   begin_child(world, heads, cycle, deeds);
   hit(world, cycle);
   Reader reader = read(world, cycle, deeds);
-  // If both want the reader, each has it in every second cycle.
-  for (const std::int64_t number : {cycle % 2, 1 - cycle % 2})
-    look(world, heads, static_cast<std::size_t>(number), reader, cycle, deeds);
+  for (int i = 0, first = reader_turn_; i < world.units.looks; ++i)
+    look(world, heads, (first + i) % world.units.looks, reader, cycle, deeds);
   launch(world, heads, cycle, deeds);
   return deeds;
 }
@@ -66,7 +57,7 @@ void RayEngine::hit(const RayWorld& world, std::int64_t cycle) {
 // A ray that has been read goes on in the cycle of the verdict, or to the next stage in a later
 // one.
 RayEngine::Reader RayEngine::read(const RayWorld& world, std::int64_t cycle, RayDeeds& deeds) {
-  if (!read_) return {true, true, 0, 0};
+  if (!read_) return {true, true, 0, {}};
   const Reading now = *read_;
   const RayWalk& walk = world.rays[now.ray];
   Reader reader{};
@@ -74,7 +65,7 @@ RayEngine::Reader RayEngine::read(const RayWorld& world, std::int64_t cycle, Ray
     reader.held = 1U << now.from;
     if (cycle < now.verdict_at) return reader;
     reader.may_be_free = !walk.has_more();
-    reader.writes = reader.may_be_free ? reader.held : 0;
+    if (reader.may_be_free) reader.blocks = look_of(walk.quadrant(), world);
     if (!walk.end()) {
       pass(world, now.ray, now.from, cycle, deeds);
       read_.reset();
@@ -95,36 +86,44 @@ RayEngine::Reader RayEngine::read(const RayWorld& world, std::int64_t cycle, Ray
   return reader;
 }
 
+int RayEngine::look_of(unsigned quadrant, const RayWorld& world) {
+  return static_cast<int>(quadrant) % world.units.looks;
+}
+
 // One ray: the one that begins here before those that pass.
-void RayEngine::look(const RayWorld& world, const RayHeads& heads, std::size_t number,
-                     Reader& reader, std::int64_t cycle, RayDeeds& deeds) {
-  const std::uint32_t own = kOfLook[static_cast<std::size_t>(world.units.looks) - 1][number];
+void RayEngine::look(const RayWorld& world, const RayHeads& heads, int number, Reader& reader,
+                     std::int64_t cycle, RayDeeds& deeds) {
   std::optional<Stage>& launch = launches_[launch_turn_.out];
   std::uint32_t waiting = 0;
   for (unsigned queue = 0; queue < kLaunched; ++queue)
-    if (heads.rays[queue] && !world.rays[*heads.rays[queue]].is_sent()) waiting |= 1U << queue;
-  if (launch && cycle >= launch->done_at && heads.has_launch_room) waiting |= 1U << kLaunched;
+    if (look_of(queue / 2, world) == number && heads.rays[queue] &&
+        !world.rays[*heads.rays[queue]].is_sent())
+      waiting |= 1U << queue;
+  if (launch && cycle >= launch->done_at && heads.has_launch_room && !deeds.begins &&
+      look_of(world.rays[launch->ray].quadrant(), world) == number)
+    waiting |= 1U << kLaunched;
   waiting &= ~reader.held;
-  waiting &= own;
   if (!reader.may_be_free) waiting &= ~to_read_;
   if (waiting == 0) return;
 
+  Rotate& turn = look_turns_[static_cast<std::size_t>(number)];
   const bool begins = (waiting >> kLaunched & 1U) != 0;
-  const unsigned from = begins ? kLaunched : look_turns_[number].next(waiting);
+  const unsigned from = begins ? kLaunched : turn.next(waiting);
   const std::uint32_t ray = begins ? launch->ray : *heads.rays[from];
   RayWalk& walk = world.rays[ray];
   if (!walk.is_probed()) walk.probe(world.columns, world.job, world.counts);
   const bool has_more_to_do = walk.reads() > 0 || walk.end();
-  if (has_more_to_do ? !reader.is_free : (reader.writes & own) != 0) {
+  if (has_more_to_do ? !reader.is_free : reader.blocks == number) {
     if (has_more_to_do) to_read_ |= 1U << from;
     return;
   }
   to_read_ &= ~(1U << from);
   if (begins) {
+    deeds.begins = true;
     launch.reset();
     pass_turn(launch_turn_.out, world);
   } else {
-    look_turns_[number].take(1U << from);
+    turn.take(1U << from);
   }
   ++work(RayStage::look);
   if (!has_more_to_do) {
@@ -136,6 +135,7 @@ void RayEngine::look(const RayWorld& world, const RayHeads& heads, std::size_t n
   work(RayStage::read) += reading;
   read_ = {ray, from, cycle + reading};
   reader.is_free = false;
+  reader_turn_ = (number + 1) % world.units.looks;
   if (!walk.end()) return;
   walk.age += 1 + walk.end()->meet_cycles + walk.end()->bend_cycles + ray_timing::kAnswer;
   ++work(RayStage::read);

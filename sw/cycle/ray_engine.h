@@ -38,6 +38,7 @@ struct RayHeads {
 /// What it does in the cycle.
 struct RayDeeds {
   bool takes_spawned = false;
+  bool begins = false;                      ///< a ray has left where it begins: one a cycle
   std::optional<unsigned> ended{};          ///< the head of this queue goes no further
   std::optional<std::uint32_t> launched{};  ///< has begun here, and goes on
   std::optional<RayBegin> child{};          ///< is to begin here
@@ -73,13 +74,15 @@ class RayEngine {
     unsigned from;
     std::int64_t verdict_at;
   };
-  // What the reader lets the look do.
+  // What the reader lets the looks do.
   struct Reader {
-    bool may_be_free;      // or is: told early in the cycle
-    bool is_free;          // told late
-    std::uint32_t held;    // it has the head of this queue, one bit
-    std::uint32_t writes;  // likewise, if it may pass it: it would go where that of its look does
+    bool may_be_free;           // or is: told early in the cycle
+    bool is_free;               // told late
+    std::uint32_t held;         // it has the head of this queue, one bit
+    std::optional<int> blocks;  // it may pass a ray where this look would
   };
+  // The look that sees the rays of a quadrant.
+  static int look_of(unsigned quadrant, const RayWorld& world);
 
   // Where a ray that goes no further meets a plane, and the new directions.
   struct HitUnit {
@@ -93,7 +96,7 @@ class RayEngine {
 
   void hit(const RayWorld& world, std::int64_t cycle);
   Reader read(const RayWorld& world, std::int64_t cycle, RayDeeds& deeds);
-  void look(const RayWorld& world, const RayHeads& heads, std::size_t number, Reader& reader,
+  void look(const RayWorld& world, const RayHeads& heads, int number, Reader& reader,
             std::int64_t cycle, RayDeeds& deeds);
   void launch(const RayWorld& world, const RayHeads& heads, std::int64_t cycle, RayDeeds& deeds);
   void pass(const RayWorld& world, std::uint32_t ray, unsigned from, std::int64_t cycle,
@@ -108,7 +111,8 @@ class RayEngine {
   Turn launch_turn_, hit_turn_;
   std::optional<Reading> read_;
   std::optional<Answer> answer_;
-  std::array<Rotate, 2> look_turns_;
+  std::array<Rotate, 4> look_turns_;
+  int reader_turn_ = 0;        // the look that has the reader first
   std::uint32_t to_read_ = 0;  // heads that are known to want the reader, one bit each
   std::array<std::int64_t, kRayStages> work_{};
 };

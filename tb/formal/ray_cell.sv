@@ -3,8 +3,9 @@
 // The rays' network of a cell, rc2_ray_net, with an engine and a home that do anything that keeps to what the
 // network asks of them:
 //
-// - A ray at the head of a queue, or one that begins here, goes on or ends at any time. What goes on keeps to
-//   its quadrant and to the array. One begins only if there is a place for it to go on from.
+// - A ray at the head of a queue, or one that begins here, goes on or ends at any time, of each quadrant one in a
+//   cycle. What goes on keeps to its quadrant and to the array. One begins only if there is a place for it to go on
+//   from; two wait for that at most.
 // - Of what has ended Held rays at most wait in the engine. Each of them may send new rays that begin here,
 //   where there is room, and becomes an answer to any home. An answer stays until it is taken.
 // - The home sends any rays to any cells, one at a time, and takes what has arrived one at a time, sooner or later.
@@ -18,7 +19,7 @@ module ray_cell #(
     localparam int unsigned LinkW = rc2_pkg::LinkW,
     localparam int unsigned LinkRoomW = rc2_pkg::LinkRoomW,
     localparam int unsigned MessageW = rc2_pkg::MessageW,
-    localparam int unsigned WantW = 30 + 4 * rc2_pkg::NodeW + 4 * rc2_pkg::CoordW
+    localparam int unsigned WantW = 35 + 7 * rc2_pkg::NodeW + 4 * rc2_pkg::CoordW
 ) (
     input  logic                   clk_i,
     input  logic                   rst_ni,
@@ -33,30 +34,41 @@ module ray_cell #(
     output logic                   moves_o,    // and one of them moves, or the engine or the home can move it
     output logic                   sound_o     // what never fails in a state that can be reached
 );
-  localparam int unsigned DirW = rc2_pkg::DirW;
   localparam int unsigned PlaceW = rc2_pkg::PlaceW;
   localparam int unsigned FracW = rc2_pkg::PlaceFracW;
-  localparam logic [1:0] Held = 2'd2;
+  localparam int unsigned NodeW = rc2_pkg::NodeW;
+  localparam int unsigned RayW = rc2_pkg::RayW;
+  localparam logic [2:0] Held = 3'd6;
+  localparam logic [1:0] Starting = 2'd2;
 
   logic [7:0] pass, pop;
-  logic begins, launch, spawn, replies, sends, west, south, along_y;
+  logic [3:0] launch, along_y;  // by quadrant, {south, west} as a number
+  logic takes, begins, spawn, replies, sends;
   logic fails;  // what began here ends here
   logic [4:0] arrived_taken;
-  logic [rc2_pkg::NodeW-1:0] ray_tag, spawn_tag, reply_tag, letter_tag;
+  logic [4*NodeW-1:0] ray_tags;
+  logic [NodeW-1:0] spawn_tag, reply_tag, letter_tag;
   logic [CoordW-1:0] home_x, home_y, to_x, to_y;
-  assign {pass, pop, begins, launch, fails, spawn, replies, sends, arrived_taken, west, south, along_y,
-          ray_tag, spawn_tag, reply_tag, letter_tag, home_x, home_y, to_x, to_y} = want_i;
-  rc2_pkg::start_t ray_start, reply_start, spawn_ray, letter;
-  rc2_pkg::ray_t ray;
+  assign {pass, pop, takes, begins, launch, fails, spawn, replies, sends, arrived_taken, along_y,
+          ray_tags, spawn_tag, reply_tag, letter_tag, home_x, home_y, to_x, to_y} = want_i;
+  logic [4*RayW-1:0] rays;
+  logic [3:0] goes_on, leaves_array, alone;
+  for (genvar q = 0; q < 4; q++) begin : g_quadrant
+    ray_of_quadrant u_ray (
+        .tag_i    (ray_tags[q*NodeW+:NodeW]),
+        .west_i   (q % 2 == 1),
+        .south_i  (q / 2 == 1),
+        .along_y_i(along_y[q]),
+        .ray_o    (rays[q*RayW+:RayW])
+    );
+    assign goes_on[q] = pass[2*q+:2] != 0 || launch[q];
+    assign alone[q] = pass[2*q+:2] != 2'b11 && !(pass[2*q+:2] != 0 && launch[q]);
+    assign leaves_array[q] = along_y[q] ? ((q / 2 == 1) ? y_i == 0 : y_i == CoordW'(Side - 1))
+                                        : ((q % 2 == 1) ? x_i == 0 : x_i == CoordW'(Side - 1));
+  end
+  rc2_pkg::start_t reply_start, spawn_ray, letter;
   rc2_pkg::answer_t reply;
   always_comb begin
-    ray_start = '0;
-    ray_start.node = ray_tag;
-    ray_start.dx = {west, {(DirW - 1) {1'b0}}};
-    ray_start.dy = {south, {(DirW - 1) {1'b0}}};
-    ray = '0;
-    ray.start = ray_start;
-    ray.along_y = along_y;
     spawn_ray = '0;
     spawn_ray.node = spawn_tag;
     reply_start = '0;
@@ -80,36 +92,31 @@ module ray_cell #(
 
   // ---- What they have ----------------------------------------------------------------------------------
   logic begun_q, answer_q, home_q;
-  logic [1:0] held_q;
+  logic [1:0] starting_q;
+  logic [2:0] held_q;
   rc2_pkg::answer_t answer_ray_q;
   rc2_pkg::start_t home_ray_q;
   logic ends;
   assign ends = (pop != 0) || fails;
   always_ff @(posedge clk_i) begin
-    begun_q  <= rst_ni && (begins || (begun_q && !launch && !fails));
-    held_q   <= !rst_ni ? 2'd0 : held_q + 2'(ends) - 2'(replies);
-    answer_q <= rst_ni && (replies || (answer_q && !answer_taken));
-    home_q   <= rst_ni && (sends || (home_q && !home_taken));
+    starting_q <= !rst_ni ? 2'd0 : starting_q + 2'(takes) - 2'(begins);
+    begun_q    <= rst_ni && (begins || (begun_q && launch == 0 && !fails));
+    held_q     <= !rst_ni ? 3'd0 : held_q + 3'(ends) - 3'(replies);
+    answer_q   <= rst_ni && (replies || (answer_q && !answer_taken));
+    home_q     <= rst_ni && (sends || (home_q && !home_taken));
     if (replies) answer_ray_q <= reply;
     if (sends) home_ray_q <= letter;
   end
 
   // ---- What the network asks of them ------------------------------------------------------------------
-  logic [1:0] quadrant;
-  logic [1:0] of_head;
-  logic leaves_array;
-  assign quadrant = {south, west};
-  assign of_head = {pass[7:4] != 0, (pass & 8'b1100_1100) != 0};
-  assign leaves_array = along_y ? (south ? y_i == 0 : y_i == CoordW'(Side - 1))
-                                : (west ? x_i == 0 : x_i == CoordW'(Side - 1));
   always_comb begin
-    assume ((pass & ~waits) == 0 && (pop & ~waits) == 0);
-    assume (((pass | pop) & ((pass | pop) - 1'b1)) == 0 && (pass & pop) == 0);
-    assume (pass == 0 || (quadrant == of_head && !launch));
-    assume (!(pass != 0 || launch) || !leaves_array);
-    assume (!begins || (spawned && launch_room && !begun_q));
-    assume (!(launch || fails) || begun_q);
-    assume (!(launch && fails) && !(fails && pop != 0));
+    assume ((pass & ~waits) == 0 && (pop & ~waits) == 0 && (pass & pop) == 0);
+    assume ((pop & (pop - 1'b1)) == 0 && (launch & (launch - 1'b1)) == 0);
+    assume (alone == '1 && (goes_on & leaves_array) == 0);
+    assume (!takes || (spawned && starting_q != Starting));
+    assume (!begins || (starting_q != 0 && launch_room && !begun_q));
+    assume (!(launch != 0 || fails) || begun_q);
+    assume (!(launch != 0 && fails) && !(fails && pop != 0));
     assume (!ends || held_q != Held);
     assume (!spawn || (spawn_room && held_q != 0));
     assume (!replies || (held_q != 0 && !answer_q));
@@ -139,10 +146,10 @@ module ray_cell #(
       .heads_o        (heads),
       .pass_i         (pass),
       .pop_i          (pop),
-      .ray_i          (ray),
+      .ray_i          (rays),
       .spawned_o      (spawned),
       .spawned_ray_o  (spawned_ray),
-      .spawned_taken_i(begins),
+      .spawned_taken_i(takes),
       .launch_room_o  (launch_room),
       .launch_i       (launch),
       .spawn_room_o   (spawn_room),
@@ -164,9 +171,10 @@ module ray_cell #(
   // ---- What there is, and what moves -----------------------------------------------------------------------
   (* hierconn *) wire [18:0] \u_net.has , \u_net.sent ;
   (* hierconn *) wire [4:0] \u_net.begins ;
-  assign has_any_o = busy || begun_q || held_q != 0;
+  assign has_any_o = busy || starting_q != 0 || begun_q || held_q != 0;
   assign moves_o = \u_net.sent != 0 || \u_net.begins != 0 || spawn || arrived != 0 ||
-                   (!answer_q && (waits != 0 || held_q != 0 || begun_q || (spawned && launch_room)));
+                   (!answer_q && (waits != 0 || held_q != 0 || begun_q ||
+                                  (spawned && starting_q != Starting) || (starting_q != 0 && launch_room)));
   // Queues of one place: their pointers stand still; what is probed is there.
   (* hierconn *) wire
       \u_net.g_ray[0].u_queue.probed_q , \u_net.g_ray[1].u_queue.probed_q , \u_net.g_ray[2].u_queue.probed_q ,
@@ -236,5 +244,26 @@ module ray_cell #(
       \u_net.g_ray[4].u_queue.tail_q , \u_net.g_ray[3].u_queue.tail_q , \u_net.g_ray[2].u_queue.tail_q ,
       \u_net.g_ray[1].u_queue.tail_q , \u_net.g_ray[0].u_queue.tail_q };
   assign sound_o = (probed & ~\u_net.has [7:0]) == 0 && pointers == 0 &&
-                   held_q <= Held && (launch_room || !begun_q) && strays == 0;
+                   held_q <= Held && starting_q <= Starting && (launch_room || !begun_q) && strays == 0;
+endmodule
+
+// A ray that goes on.
+module ray_of_quadrant (
+    input  logic [rc2_pkg::NodeW-1:0] tag_i,
+    input  logic                       west_i,
+    input  logic                       south_i,
+    input  logic                       along_y_i,
+    output rc2_pkg::ray_t             ray_o
+);
+  localparam int unsigned DirW = rc2_pkg::DirW;
+  rc2_pkg::start_t start;
+  always_comb begin
+    start = '0;
+    start.node = tag_i;
+    start.dx = {west_i, {(DirW - 1) {1'b0}}};
+    start.dy = {south_i, {(DirW - 1) {1'b0}}};
+    ray_o = '0;
+    ray_o.start = start;
+    ray_o.along_y = along_y_i;
+  end
 endmodule

@@ -12,7 +12,7 @@ module ray_net_keeps #(
     localparam int unsigned LinkW = rc2_pkg::LinkW,
     localparam int unsigned LinkRoomW = rc2_pkg::LinkRoomW,
     localparam int unsigned NodeW = rc2_pkg::NodeW,
-    localparam int unsigned WantW = 30 + 4 * NodeW + 4 * CoordW,
+    localparam int unsigned WantW = 35 + 7 * NodeW + 4 * CoordW,
     localparam int unsigned CameW = LinkRoomW + NodeW + 2 * CoordW
 ) (
     input logic                   clk_i,
@@ -98,9 +98,9 @@ module ray_net_keeps #(
   (* hierconn *) wire [19*MessageW-1:0] \u_cell.u_net.message ;
   (* hierconn *) wire [7:0] \u_cell.pass , \u_cell.pop ;
   (* hierconn *) wire [4:0] \u_cell.arrived , \u_cell.arrived_taken , \u_cell.u_net.begins ;
-  (* hierconn *) wire \u_cell.launch , \u_cell.answer_taken , \u_cell.home_taken ;
-  (* hierconn *) wire [NodeW-1:0] \u_cell.ray_tag ;
-  (* hierconn *) wire [1:0] \u_cell.quadrant ;
+  (* hierconn *) wire \u_cell.answer_taken , \u_cell.home_taken ;
+  (* hierconn *) wire [4*NodeW-1:0] \u_cell.ray_tags ;
+  (* hierconn *) wire [3:0] \u_cell.goes_on ;
 
   // Which senders have it, in the order of rc2_ray_net, and which links take or bring it.
   logic [18:0] is_it;
@@ -151,11 +151,13 @@ module ray_net_keeps #(
 
   // What the engine makes of a ray is another one. A start that begins is no message any more.
   logic [3:0] there, came, gone, balance_q;
-  logic made;
-  assign made = (\u_cell.pass != 0 || \u_cell.launch ) && kind == {1'b0, \u_cell.quadrant } && \u_cell.ray_tag == tag;
+  logic [3:0] made;
+  for (genvar q = 0; q < 4; q++) begin : g_made
+    assign made[q] = \u_cell.goes_on [q] && kind == q && \u_cell.ray_tags [q*NodeW+:NodeW] == tag;
+  end
   always_comb begin
     there = 4'd0;
-    came = 4'(made);
+    came = 4'(made != 0);
     gone = 4'd0;
     for (int s = 0; s < 19; s++) if (s != 13 && s != 18) there = there + 4'(is_it[s]);
     for (int k = 0; k < 8; k++) gone = gone + 4'(is_it[k] && (\u_cell.pass [k] || \u_cell.pop [k]));

@@ -11,7 +11,7 @@
 module ray_net_moves #(
     parameter int unsigned Side = 2,
     localparam int unsigned Cells = Side * Side,
-    localparam int unsigned WantW = 30 + 4 * rc2_pkg::NodeW + 4 * rc2_pkg::CoordW
+    localparam int unsigned WantW = 35 + 7 * rc2_pkg::NodeW + 4 * rc2_pkg::CoordW
 ) (
     input logic                   clk_i,
     input logic [Cells*WantW-1:0] want_i

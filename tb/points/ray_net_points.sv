@@ -12,10 +12,10 @@ module ray_net_points (
     input logic [ 4*rc2_pkg::LinkRoomW-1:0] room_o,
     input logic [                       7:0] pass_i,
     input logic [                       7:0] pop_i,
-    input rc2_pkg::ray_t                     ray_i,
+    input logic [    4*rc2_pkg::RayW-1:0] ray_i,
     input logic                              spawned_o,
     input logic                              launch_room_o,
-    input logic                              launch_i,
+    input logic [                       3:0] launch_i,
     input logic                              spawn_room_o,
     input logic                              spawn_i,
     input logic                              answer_i,
@@ -29,13 +29,10 @@ module ray_net_points (
   localparam int unsigned LinkW = rc2_pkg::LinkW;
   localparam int unsigned MessageW = rc2_pkg::MessageW;
   localparam int unsigned LinkRoomW = rc2_pkg::LinkRoomW;
-  localparam int unsigned DirW = rc2_pkg::DirW;
   logic runs;
   assign runs = rst_ni && !clear_i;
 
   // ---- Rays --------------------------------------------------------------------------------------
-  logic [rc2_pkg::StartW-1:0] start;
-  assign start = ray_i.start;
   for (genvar k = 0; k < 8; k++) begin : g_queue  // quadrant and axis
     always_ff @(posedge clk_i) begin
       if (runs) begin
@@ -45,10 +42,12 @@ module ray_net_points (
     end
   end
   for (genvar q = 0; q < 4; q++) begin : g_quadrant
+    rc2_pkg::ray_t ray;
+    assign ray = ray_i[q*rc2_pkg::RayW+:rc2_pkg::RayW];
     always_ff @(posedge clk_i) begin
       if (runs) begin
-        begins_along_x : cover (launch_i && !ray_i.along_y && {start[2*DirW-1], start[3*DirW-1]} == q);
-        begins_along_y : cover (launch_i && ray_i.along_y && {start[2*DirW-1], start[3*DirW-1]} == q);
+        begins_along_x : cover (launch_i[q] && !ray.along_y);
+        begins_along_y : cover (launch_i[q] && ray.along_y);
       end
     end
   end
@@ -89,8 +88,8 @@ module ray_net_points (
       own_answer_is_home : cover (arrived_taken_i[4]);
       home_sends : cover (home_taken_o);
       home_waits : cover (home_i && !home_taken_o);
-      fewer_places_than_built : cover (launch_i && limits_i.places < rc2_pkg::RayCountW'(rc2_pkg::RAYQ));
-      all_places : cover (launch_i && limits_i.places == rc2_pkg::RayCountW'(rc2_pkg::RAYQ));
+      fewer_places_than_built : cover (launch_i != 0 && limits_i.places < rc2_pkg::RayCountW'(rc2_pkg::RAYQ));
+      all_places : cover (launch_i != 0 && limits_i.places == rc2_pkg::RayCountW'(rc2_pkg::RAYQ));
       escapes : cover (ended && how.escaped);
       hits : cover (ended && !how.escaped && !how.rescued);
       is_rescued : cover (ended && how.rescued);
