@@ -32,7 +32,7 @@ def units(found):
                 f"{100 * of['flip_flops'] * FLIP_FLOP / of['area']:.0f} %", of["memory_bits"], *path(of["path"]))
 
     names = {"fast": "Light in lanes", "thesis": "The thesis's light", "load": "Column, loading, readback: in both cells",
-             "layers": "Column with layers, as accurate light wants it", "rays": "Rays"}
+             "layers": "Column with layers, as accurate light wants it"}
     yield f"## Units alone, n = {SIDE}, FA = {QUEUE}"
     yield ""
     for part, title in names.items():
@@ -40,6 +40,22 @@ def units(found):
         yield ""
         yield from table(("unit", "f", "kGE", "flip-flops", "their share of the area", "bits of memory", "ns", "longest path"),
                          (row(of) for of in found["units"] if of["of"] == part))
+
+
+def rays(found):
+    def row(of):
+        return (f"`{of['unit']}`", of["count"], kilo(of["area"]), kilo(of["count"] * of["area"]), of["count"] * of["flip_flops"],
+                of["count"] * of["memory_bits"], *(path(of["path"]) if of["path"] else ("", "")))
+
+    for part in found["rays"]:
+        units = part["units"]
+        total = {name: sum(of["count"] * of[name] for of in units) for name in ("area", "flip_flops", "memory_bits")}
+        yield f"## Rays: what a cell has for them, n = {part['n']}"
+        yield ""
+        yield "Each unit without those in it that have a line of their own; its longest path is with them."
+        yield ""
+        yield from table(("unit", "in a cell", "kGE of one", "kGE", "flip-flops", "bits of memory", "ns", "longest path"),
+                         (*map(row, units), ("all of it", "", "", kilo(total["area"]), total["flip_flops"], total["memory_bits"], "", "")))
 
 
 def dies(found):

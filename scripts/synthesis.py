@@ -128,9 +128,20 @@ class Design:
         return json.load(open(result))
 
 
+def timed_netlist(design):
+    """The netlist as OpenSTA reads it: with a buffer for each wire between ports where Yosys joins them in one assignment."""
+    netlist = f"{design.base}.v"
+    if "assign {" not in open(netlist).read():
+        return netlist
+    buffered = f"{design.base}-sta.v"
+    if not os.path.exists(buffered):
+        run(["yosys", "-q", "-p", f"read_verilog {netlist}; insbuf -buf BUFX2 A Y; write_verilog -noattr -noexpr {buffered}"], design.root)
+    return buffered
+
+
 def longest_path(design, parts=()):
     """ns from clock to clock of the longest path of a design put together from its parts, and its ends."""
-    reads = "".join(f"read_verilog {part.base}.v\n" for part in (*parts, design))
+    reads = "".join(f"read_verilog {timed_netlist(part)}\n" for part in (*parts, design))
     steady = " ".join(STEADY)
     clock = "[get_ports clk_i]" if "input clk_i;" in open(f"{design.base}.v").read() else ""
     script = f"""read_liberty {LIBRARY}
@@ -153,15 +164,18 @@ exit
     if not slack:
         raise SystemExit(f"sta found no path in {design.top}: {path}")
     ends = [re.search(rf"{end}: (\S+)", report).group(1) for end in ("Startpoint", "Endpoint")]
+    netlists = {part.top: open(f"{part.base}.v").read() for part in (design, *parts)}
     names = {}
-    for part in (design, *parts):
-        for name, pins in re.findall(r"DFFPOSX1 (\S+) \(\n(.*?)\n  \);", open(f"{part.base}.v").read(), re.DOTALL):
-            names[part.top, name] = re.search(r"\.Q\(\\?(.*?) *\)", pins).group(1).replace(" ", "")
+    for top, netlist in netlists.items():
+        for name, pins in re.findall(r"DFFPOSX1 (\S+) \(\n(.*?)\n  \);", netlist, re.DOTALL):
+            names[top, name] = re.search(r"\.Q\(\\?(.*?) *\)", pins).group(1).replace(" ", "")
 
     # Yosys makes a register without a name only where it takes a FIFO's read address into the memory.
     def register(end):
         *way, name = end.split("/")
-        of = next((part.top for part in parts if way), design.top)
+        of = design.top
+        for part in way:
+            of = re.search(rf"\n  (\S+) \\?{re.escape(part)} +\(", netlists[of]).group(1)
         name = names.get((of, name), name)
         return "/".join([*way, "a FIFO's read address" if re.match(r"_\d+_", name) else name])
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <optional>
 
 #include "sim/camera.h"
 #include "sim/render_job.h"
@@ -12,7 +13,8 @@
 namespace rc2 {
 namespace {
 
-constexpr double kGross = 2;  // voxels
+constexpr double kGross = 2;     // voxels
+constexpr double kBeside = 0.5;  // likewise
 constexpr double kCosineOfDegree = 0.99984769515639123916;
 
 glm::dvec3 random_direction(const glm::dvec3& normal, scene::Random& random) {
@@ -24,27 +26,59 @@ glm::dvec3 random_direction(const glm::dvec3& normal, scene::Random& random) {
   }
 }
 
+using At = std::optional<glm::dvec3>;  // none: it leaves the cube
+
+bool is_gross(const At& have, const At& want) {
+  return have.has_value() != want.has_value() || (have && glm::distance(*have, *want) > kGross);
+}
+
+At true_end(const truth::Whitted& truth, const Sight& sight) {
+  const auto hit = truth.first_hit(sight.from, sight.direction, false);
+  return hit ? At(hit->at) : At();
+}
+
+// Whether the ray passes an edge so closely that a true one beside it ends where this one does.
+bool is_at_edge(const truth::Whitted& truth, const Sight& sight, const At& have) {
+  constexpr int kRings = 4, kSpokes = 16;
+  const glm::dvec3& way = sight.direction;
+  const glm::dvec3 axis =
+      std::abs(way.x) < std::abs(way.y) ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+  const glm::dvec3 u = glm::normalize(glm::cross(way, axis)),
+                   v = glm::cross(glm::normalize(way), u);
+  for (int ring = 1; ring <= kRings; ++ring) {
+    for (int spoke = 0; spoke < kSpokes; ++spoke) {
+      const double turn = glm::radians(360.0 * spoke / kSpokes);
+      const glm::dvec3 aside = std::cos(turn) * u + std::sin(turn) * v;
+      const glm::dvec3 from = sight.from + kBeside * ring / kRings * aside;
+      if (!is_gross(have, true_end(truth, {from, way}))) return true;
+    }
+  }
+  return false;
+}
+
 void judge(const truth::Whitted& truth, const Sight& sight, const RayHit& first,
            const RayHit* second, Bounce& sum) {
   ++sum.rays;
   const auto want = truth.first_hit(sight.from, sight.direction, false);
-  const bool escaped = first.facet == RayHit::kNoFacet;
-  if (escaped && !want) {
+  const At wanted = want ? At(want->at) : At();
+  const At have = first.facet == RayHit::kNoFacet
+                      ? At()
+                      : At(glm::dvec3(first.point) / double{rays::kPlaceOne});
+  if (is_gross(have, wanted)) {
+    ++sum.gross;
+    const auto way = [&](const At& place) { return glm::distance(*place, sight.from); };
+    if (have && (!wanted || way(have) < way(wanted))) ++sum.early;
+    if (is_at_edge(truth, sight, have)) ++sum.edges;
+    return;
+  }
+  if (!want) {
     ++sum.straight;
     return;
   }
-  const glm::dvec3 at = glm::dvec3(first.point) / double{rays::kPlaceOne};
-  const double off = escaped || !want ? kGross + 1 : glm::distance(at, want->at);
-  if (off > kGross) {
-    ++sum.gross;
-    const auto way = [&](const glm::dvec3& place) { return glm::distance(place, sight.from); };
-    if (!escaped && (!want || way(at) < way(want->at))) ++sum.early;
-    return;
-  }
-  sum.distance += off;
+  sum.distance += glm::distance(*have, *wanted);
   const glm::dvec3 reflected = glm::reflect(sight.direction, want->normal);
-  const glm::dvec3 have = glm::normalize(glm::dvec3(second->ray.direction));
-  const double cosine = std::min(1.0, glm::dot(reflected, have));
+  const glm::dvec3 turned = glm::normalize(glm::dvec3(second->ray.direction));
+  const double cosine = std::min(1.0, glm::dot(reflected, turned));
   sum.degrees += glm::degrees(std::acos(cosine));
   if (cosine >= kCosineOfDegree) ++sum.straight;
 }

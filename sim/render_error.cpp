@@ -143,13 +143,14 @@ double mean_distance(const Bounce& bounce) {
 }
 
 void print(const std::vector<Row>& rows) {
-  fmt::print("{:<24}{:>5}{:>8}{:>10}{:>10}{:>10}{:>10}\n", "scene", "n", "rays", "> 2 vx %",
-             "early %", "mean vx", "1 deg %");
+  fmt::print("{:<24}{:>5}{:>8}{:>10}{:>10}{:>10}{:>10}{:>10}\n", "scene", "n", "rays", "> 2 vx %",
+             "early %", "edges %", "mean vx", "1 deg %");
   for (const Row& row : rows) {
     const Bounce& bounce = row.bounce;
-    fmt::print("{:<24}{:>5}{:>8}{:>10.2f}{:>10.2f}{:>10.4f}{:>10.2f}\n", row.scene, row.n,
+    fmt::print("{:<24}{:>5}{:>8}{:>10.2f}{:>10.2f}{:>10.2f}{:>10.4f}{:>10.2f}\n", row.scene, row.n,
                bounce.rays, percent(bounce.gross, bounce.rays), percent(bounce.early, bounce.rays),
-               mean_distance(bounce), percent(bounce.straight, bounce.rays));
+               percent(bounce.edges, bounce.rays), mean_distance(bounce),
+               percent(bounce.straight, bounce.rays));
   }
   fmt::print("\n{:<24}{:>5}{:>7}{:>9}{:>8}{:>10}{:>10}{:>10}\n", "scene", "n", "depth", "shadows",
              "smooth", "wrong %", "RMSE", "FLIP");
@@ -162,14 +163,16 @@ void print(const std::vector<Row>& rows) {
 
 std::string to_csv(const std::vector<Row>& rows) {
   std::string csv =
-      "scene,n,rays,gross_percent,early_percent,mean_distance,straight_percent,depth,shadows,"
+      "scene,n,rays,gross_percent,early_percent,edges_percent,mean_distance,straight_percent,depth,"
+      "shadows,"
       "smooth,wrong_percent,rmse,flip\n";
   for (const Row& row : rows) {
     const Bounce& bounce = row.bounce;
     for (const auto& [depth, has_shadows, is_smooth, difference] : row.pictures)
       csv += fmt::format(
-          "{},{},{},{:.4f},{:.4f},{:.5f},{:.4f},{},{},{},{:.4f},{:.5f},{:.5f}\n", row.scene, row.n,
-          bounce.rays, percent(bounce.gross, bounce.rays), percent(bounce.early, bounce.rays),
+          "{},{},{},{:.4f},{:.4f},{:.4f},{:.5f},{:.4f},{},{},{},{:.4f},{:.5f},{:.5f}\n", row.scene,
+          row.n, bounce.rays, percent(bounce.gross, bounce.rays),
+          percent(bounce.early, bounce.rays), percent(bounce.edges, bounce.rays),
           mean_distance(bounce), percent(bounce.straight, bounce.rays), depth, has_shadows ? 1 : 0,
           is_smooth ? 1 : 0, 100 * difference.wrong, difference.rmse, difference.flip);
   }

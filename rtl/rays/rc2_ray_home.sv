@@ -133,30 +133,36 @@ module rc2_ray_home (
     else if (done) have_q[sender.node] <= 1'b1;
   end
 
-  // ---- Counts ------------------------------------------------------------------------------------
+  // ---- Counts: what happens is counted a cycle later, so that no long path of the engine ends in a sum ------
   logic [ValueW-1:0] probes_q, planes_q, run_on_q, hops_q, reader_q, launch_q, meet_q;
-  logic [2:0] looks;
+  logic [13:0] happens_q;
+  logic plane, runs_on;
+  logic [2:0] hops, looks;
   logic [1:0] launches, meets;
-  assign looks = 3'(work_i[0]) + 3'(work_i[1]) + 3'(work_i[2]) + 3'(work_i[3]);
-  assign launches = 2'(work_i[5]) + 2'(work_i[6]);
-  assign meets = 2'(work_i[7]) + 2'(work_i[8]);
+  logic [8:0] work;
+  assign {plane, runs_on, hops, work} = happens_q;
+  assign looks = 3'(work[0]) + 3'(work[1]) + 3'(work[2]) + 3'(work[3]);
+  assign launches = 2'(work[5]) + 2'(work[6]);
+  assign meets = 2'(work[7]) + 2'(work[8]);
   always_ff @(posedge clk_i) begin
     if (!rst_ni || clear_i) begin
-      probes_q <= '0;
-      planes_q <= '0;
-      run_on_q <= '0;
-      hops_q   <= '0;
-      reader_q <= '0;
-      launch_q <= '0;
-      meet_q   <= '0;
+      happens_q <= '0;
+      probes_q  <= '0;
+      planes_q  <= '0;
+      run_on_q  <= '0;
+      hops_q    <= '0;
+      reader_q  <= '0;
+      launch_q  <= '0;
+      meet_q    <= '0;
     end else begin
-      probes_q <= probes_q + ValueW'(looks);
-      planes_q <= planes_q + ValueW'(plane_i);
-      run_on_q <= run_on_q + ValueW'(run_on_i);
-      hops_q   <= hops_q + ValueW'(hops_i);
-      reader_q <= reader_q + ValueW'(work_i[4]);
-      launch_q <= launch_q + ValueW'(launches);
-      meet_q   <= meet_q + ValueW'(meets);
+      happens_q <= {plane_i, run_on_i, hops_i, work_i};
+      probes_q  <= probes_q + ValueW'(looks);
+      planes_q  <= planes_q + ValueW'(plane);
+      run_on_q  <= run_on_q + ValueW'(runs_on);
+      hops_q    <= hops_q + ValueW'(hops);
+      reader_q  <= reader_q + ValueW'(work[4]);
+      launch_q  <= launch_q + ValueW'(launches);
+      meet_q    <= meet_q + ValueW'(meets);
     end
   end
 
