@@ -50,9 +50,9 @@ def rays(found):
     for part in found["rays"]:
         units = part["units"]
         total = {name: sum(of["count"] * of[name] for of in units) for name in ("area", "flip_flops", "memory_bits")}
-        yield f"## Rays: what a cell has for them, n = {part['n']}"
+        yield "## Rays"
         yield ""
-        yield "Each unit without those in it that have a line of their own; its longest path is with them."
+        yield f"What a cell has for them, n = {part['n']}. Each unit without those in it that have a line of their own; its longest path is with them."
         yield ""
         yield from table(("unit", "in a cell", "kGE of one", "kGE", "flip-flops", "bits of memory", "ns", "longest path"),
                          (*map(row, units), ("all of it", "", "", kilo(total["area"]), total["flip_flops"], total["memory_bits"], "", "")))
