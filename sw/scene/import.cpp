@@ -4,6 +4,8 @@
 #include <assimp/Importer.hpp>
 #include <cmath>
 #include <filesystem>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_inverse.hpp>
 #include <glm/matrix.hpp>
 
 #include "fmt/format.h"
@@ -58,10 +60,18 @@ void check_polygon_count(const aiScene& source, const std::vector<PlacedNode>& n
                     path, count, kMaxFacets));
 }
 
+// A file's normal as the scene has it; 0 if it is no direction.
+glm::dvec3 normal_of(const aiVector3D& v, const glm::dmat3& turn) {
+  const glm::dvec3 normal = turn * glm::dvec3(v.x, v.y, v.z);
+  const double length = glm::length(normal);
+  return length > 0 && std::isfinite(length) ? normal / length : glm::dvec3(0);
+}
+
 void add_mesh(const aiMesh& mesh, const glm::dmat4& to_scene, const std::string& path,
               Scene& scene) {
   const bool mirrored = glm::determinant(glm::dmat3(to_scene)) < 0.0;
-  std::vector<glm::dvec3> corners;
+  const glm::dmat3 turn = glm::inverseTranspose(glm::dmat3(to_scene));
+  std::vector<glm::dvec3> corners, normals;
   for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
     const aiFace& face = mesh.mFaces[i];
     if (face.mNumIndices < 3) {
@@ -69,6 +79,7 @@ void add_mesh(const aiMesh& mesh, const glm::dmat4& to_scene, const std::string&
       continue;
     }
     corners.clear();
+    normals.clear();
     for (unsigned k = 0; k < face.mNumIndices; ++k) {
       const unsigned index = face.mIndices[mirrored ? face.mNumIndices - 1 - k : k];
       if (index >= mesh.mNumVertices)
@@ -84,8 +95,9 @@ void add_mesh(const aiMesh& mesh, const glm::dmat4& to_scene, const std::string&
                         "the mesh and export it again",
                         path, scene.polygon_count()));
       corners.push_back(corner);
+      if (mesh.HasNormals()) normals.push_back(normal_of(mesh.mNormals[index], turn));
     }
-    scene.add(corners, mesh.mMaterialIndex);
+    scene.add(corners, mesh.mMaterialIndex, normals);
   }
 }
 

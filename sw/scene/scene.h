@@ -40,6 +40,8 @@ struct Camera {
 struct Scene {
   std::string name;
   std::vector<glm::dvec3> vertices;
+  /// Of each vertex, in its polygon: a unit vector to shade by; 0 where there is none.
+  std::vector<glm::dvec3> normals;
   std::vector<std::uint32_t> first{0};
   std::vector<std::uint32_t> material;  ///< per polygon, index into materials
   std::vector<Material> materials;
@@ -52,8 +54,9 @@ struct Scene {
 
   std::size_t polygon_count() const { return material.size(); }
 
-  /// Appends one polygon.
-  void add(const std::vector<glm::dvec3>& corners, std::uint32_t material_index);
+  /// Appends one polygon; with normals at its corners, or without.
+  void add(const std::vector<glm::dvec3>& corners, std::uint32_t material_index,
+           const std::vector<glm::dvec3>& corner_normals = {});
 };
 
 /// Reads any format Assimp knows, all nodes placed, y up where the format says which axis is up.

@@ -62,6 +62,8 @@ SmoothNormals::SmoothNormals(const Scene& scene) : scene_(scene), corners_(scene
   for (std::size_t polygon = 0; polygon < scene.polygon_count(); ++polygon) {
     const glm::dvec3& own = flat_[polygon];
     for (std::size_t i = scene.first[polygon]; i < scene.first[polygon + 1]; ++i) {
+      corners_[i] = scene.normals[i];
+      if (glm::dot(corners_[i], own) > 0) continue;
       glm::dvec3 sum(0);
       for (const std::size_t other : meeting.at(scene.vertices[i]))
         if (glm::dot(flat_[other], own) >= kCosineOfCrease) sum += flat_[other];

@@ -13,8 +13,9 @@ class SmoothNormals {
   explicit SmoothNormals(const Scene& scene);
 
   /// Unit vector: those at the corners of a convex polygon, interpolated at a place in it; beyond a
-  /// side, that on the side. A corner's normal is the mean of those of the polygons that meet
-  /// there, as far as they are within 45 degrees of this one's: sharper edges stay sharp.
+  /// side, that on the side. A corner's normal is the scene's, unless that is none or one of the
+  /// back: then the mean of those of the polygons that meet there, as far as they are within 45
+  /// degrees of this one's, so that sharper edges stay sharp.
   glm::dvec3 at(std::uint32_t polygon, const glm::dvec3& place) const;
 
  private:

@@ -196,6 +196,37 @@ TEST(ReadFile, KeepsOutsidesOfMirroredNodes) {
   EXPECT_NEAR(six_volumes(pair), 2.0, 1e-9);
 }
 
+// Normals turn as planes do, not as points: under scales that differ, and in a mirror.
+TEST(ReadFile, KeepsNormalsUpright) {
+  const TemporaryFile file("scaled.gltf", R"({"asset":{"version":"2.0"},"scene":0,
+    "scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"scale":[-1,2,4]}],
+    "meshes":[{"primitives":[{"attributes":{"POSITION":1,"NORMAL":2},"indices":0}]}],
+    "accessors":[
+      {"bufferView":0,"componentType":5123,"count":3,"type":"SCALAR"},
+      {"bufferView":1,"componentType":5126,"count":3,"type":"VEC3",
+       "min":[0,0,0],"max":[1,1,1]},
+      {"bufferView":2,"componentType":5126,"count":3,"type":"VEC3"}],
+    "bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":6},
+                   {"buffer":0,"byteOffset":8,"byteLength":36},
+                   {"buffer":0,"byteOffset":44,"byteLength":36}],
+    "buffers":[{"byteLength":80,"uri":"data:application/octet-stream;base64,)"
+                                          "AAABAAIAAAAAAIA/AAAAAAAAAAAAAAAA"
+                                          "AACAPwAAAAAAAAAAAAAAAAAAgD86zRM/"
+                                          "Os0TPzrNEz86zRM/Os0TPzrNEz86zRM/"
+                                          "Os0TPzrNEz8="
+                                          R"("}]})");
+  const Scene scene = read_file(file.path());
+  ASSERT_EQ(scene.normals.size(), 3U);
+  const glm::dvec3 outside = glm::normalize(
+      glm::cross(scene.vertices[1] - scene.vertices[0], scene.vertices[2] - scene.vertices[0]));
+  for (const glm::dvec3& normal : scene.normals) EXPECT_LT(glm::distance(normal, outside), 1e-6);
+}
+
+TEST(ReadFile, KnowsNoNormalsWhereThereAreNone) {
+  const TemporaryFile file("flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  EXPECT_EQ(read_file(file.path()).normals, std::vector<glm::dvec3>(3, glm::dvec3(0)));
+}
+
 TEST(ReadFile, ReadsMaterials) {
   const TemporaryFile library("glass.mtl",
                               "newmtl glass\nKd 0.1 0.2 0.3\nKs 0.4 0.5 0.6\nKe 0.7 0.8 0.9\n"

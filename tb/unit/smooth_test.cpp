@@ -112,5 +112,17 @@ TEST(Smooth, InterpolatesALine) {
   EXPECT_LT(glm::distance(smooth.at(0, {5, 5, 0}), glm::normalize(up + ridge)), 1e-6);
 }
 
+// A file knows better; but not where it says that a corner faces away.
+TEST(Smooth, TakesTheNormalsOfTheScene) {
+  const glm::dvec3 tilted = glm::normalize(glm::dvec3(1, 2, 3)), behind(0, 0.6, -0.8);
+  Scene roof;
+  roof.materials.resize(1);
+  roof.add({{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}}, 0, {tilted, tilted, behind, {}});
+  const SmoothNormals smooth(roof);
+  const glm::dvec3 up(0, 0, 1);
+  EXPECT_LT(glm::distance(smooth.at(0, {4, 0, 0}), tilted), 1e-6);
+  EXPECT_LT(glm::distance(smooth.at(0, {4, 10, 0}), up), 1e-6);
+}
+
 }  // namespace
 }  // namespace rc2::scene
