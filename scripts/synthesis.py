@@ -135,7 +135,9 @@ def timed_netlist(design):
         return netlist
     buffered = f"{design.base}-sta.v"
     if not os.path.exists(buffered):
-        run(["yosys", "-q", "-p", f"read_verilog {netlist}; insbuf -buf BUFX2 A Y; write_verilog -noattr -noexpr {buffered}"], design.root)
+        written = f"{buffered}.{os.getpid()}"  # another job may want the same
+        run(["yosys", "-q", "-p", f"read_verilog {netlist}; insbuf -buf BUFX2 A Y; write_verilog -noattr -noexpr {written}"], design.root)
+        os.replace(written, buffered)
     return buffered
 
 

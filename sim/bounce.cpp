@@ -32,25 +32,24 @@ bool is_gross(const At& have, const At& want) {
   return have.has_value() != want.has_value() || (have && glm::distance(*have, *want) > kGross);
 }
 
-At true_end(const truth::Whitted& truth, const Sight& sight) {
-  const auto hit = truth.first_hit(sight.from, sight.direction, false);
-  return hit ? At(hit->at) : At();
-}
+At end_of(const std::optional<truth::Whitted::Hit>& hit) { return hit ? At(hit->at) : At(); }
 
-// Whether the ray passes an edge so closely that a true one beside it ends where this one does.
-bool is_at_edge(const truth::Whitted& truth, const Sight& sight, const At& have) {
+// Whether the ray passes an edge so closely that a true one beside it, which ends on another
+// polygon or on none, ends where this one does.
+bool is_at_edge(const truth::Whitted& truth, const Sight& sight, const At& have,
+                const std::optional<truth::Whitted::Hit>& want) {
   constexpr int kRings = 4, kSpokes = 16;
-  const glm::dvec3& way = sight.direction;
+  const glm::dvec3 way = glm::normalize(sight.direction);
   const glm::dvec3 axis =
       std::abs(way.x) < std::abs(way.y) ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-  const glm::dvec3 u = glm::normalize(glm::cross(way, axis)),
-                   v = glm::cross(glm::normalize(way), u);
+  const glm::dvec3 u = glm::normalize(glm::cross(way, axis)), v = glm::cross(way, u);
   for (int ring = 1; ring <= kRings; ++ring) {
     for (int spoke = 0; spoke < kSpokes; ++spoke) {
       const double turn = glm::radians(360.0 * spoke / kSpokes);
-      const glm::dvec3 aside = std::cos(turn) * u + std::sin(turn) * v;
-      const glm::dvec3 from = sight.from + kBeside * ring / kRings * aside;
-      if (!is_gross(have, true_end(truth, {from, way}))) return true;
+      const glm::dvec3 aside = kBeside * ring / kRings * (std::cos(turn) * u + std::sin(turn) * v);
+      const auto beside = truth.first_hit(sight.from + aside, way, false);
+      if (beside && want && beside->polygon == want->polygon) continue;
+      if (!is_gross(have, end_of(beside))) return true;
     }
   }
   return false;
@@ -60,22 +59,21 @@ void judge(const truth::Whitted& truth, const Sight& sight, const RayHit& first,
            const RayHit* second, Bounce& sum) {
   ++sum.rays;
   const auto want = truth.first_hit(sight.from, sight.direction, false);
-  const At wanted = want ? At(want->at) : At();
   const At have = first.facet == RayHit::kNoFacet
                       ? At()
                       : At(glm::dvec3(first.point) / double{rays::kPlaceOne});
-  if (is_gross(have, wanted)) {
+  if (is_gross(have, end_of(want))) {
     ++sum.gross;
-    const auto way = [&](const At& place) { return glm::distance(*place, sight.from); };
-    if (have && (!wanted || way(have) < way(wanted))) ++sum.early;
-    if (is_at_edge(truth, sight, have)) ++sum.edges;
+    const auto way = [&](const glm::dvec3& place) { return glm::distance(place, sight.from); };
+    if (have && (!want || way(*have) < way(want->at))) ++sum.early;
+    if (is_at_edge(truth, sight, have, want)) ++sum.edges;
     return;
   }
   if (!want) {
     ++sum.straight;
     return;
   }
-  sum.distance += glm::distance(*have, *wanted);
+  sum.distance += glm::distance(*have, want->at);
   const glm::dvec3 reflected = glm::reflect(sight.direction, want->normal);
   const glm::dvec3 turned = glm::normalize(glm::dvec3(second->ray.direction));
   const double cosine = std::min(1.0, glm::dot(reflected, turned));

@@ -16,7 +16,7 @@ struct Bounce {
   std::int64_t rays = 0;
   std::int64_t gross = 0;     ///< hit where nothing is or the reverse, or over 2 voxels apart
   std::int64_t early = 0;     ///< of these, those that ended too soon
-  std::int64_t edges = 0;     ///< and where a true ray beside it, up to half a voxel, ends there
+  std::int64_t edges = 0;     ///< of these, those that passed an edge within half a voxel
   std::int64_t straight = 0;  ///< not gross, and reflected within a degree of the truth
   // Sums over those that are not gross.
   double distance = 0;  ///< voxels

@@ -164,8 +164,7 @@ void print(const std::vector<Row>& rows) {
 std::string to_csv(const std::vector<Row>& rows) {
   std::string csv =
       "scene,n,rays,gross_percent,early_percent,edges_percent,mean_distance,straight_percent,depth,"
-      "shadows,"
-      "smooth,wrong_percent,rmse,flip\n";
+      "shadows,smooth,wrong_percent,rmse,flip\n";
   for (const Row& row : rows) {
     const Bounce& bounce = row.bounce;
     for (const auto& [depth, has_shadows, is_smooth, difference] : row.pictures)

@@ -8,9 +8,9 @@
 //                           |                                      |
 //                           +--> read --> hit (2: meet, bend) --> answer
 //
-// A look for each quadrant: one way into the network. A ray that passes nothing never waits for arithmetic.
-// Every stage waits for those behind it only, the last for its answer to leave. How long each takes: its
-// own file.
+// A look for each quadrant, with its own way into the network. A ray that passes nothing waits for no
+// arithmetic, only for its look's turn. Every stage waits for those behind it only, the last for its answer
+// to leave. How long each takes: its own file.
 
 module rc2_ray_engine (
     input  logic                              clk_i,
@@ -88,7 +88,7 @@ module rc2_ray_engine (
   logic [3:0] begins_from;
   assign from[8] = (begins_from != 0);
   for (genvar q = 0; q < 4; q++) begin : g_quadrant
-    logic [2:0] waits, pass, heads;
+    logic [2:0] waits, pass, seen;
     assign waits = {begins_in[q], waits_i[2*q+:2] & ~held[2*q+:2]};
     rc2_ray_look u_look (
         .clk_i     (clk_i),
@@ -108,14 +108,14 @@ module rc2_ray_engine (
         .leaves_o  (look_leaves[q]),
         .beyond_o  (look_beyond[q]),
         .pass_o    (pass),
-        .turn_o    (heads),
+        .turn_o    (seen),
         .ray_o     (look_ray[q*RayW+:RayW]),
         .z_o       (look_z[q*CoordW+:CoordW]),
         .along_y_o (look_along_y[q]),
         .work_o    (work_o[q])
     );
-    assign {begins_from[q], from[2*q+:2]} = heads & {3{turn[q]}};
-    assign look_launches[q] = work_o[q] && heads[2];
+    assign {begins_from[q], from[2*q+:2]} = seen & {3{turn[q]}};
+    assign look_launches[q] = work_o[q] && seen[2];
     rc2_ray_step u_step (
         .ray_i    (blocks[q] ? read_ray : look_ray[q*RayW+:RayW]),
         .z_i      (blocks[q] ? read_z : look_z[q*CoordW+:CoordW]),
@@ -128,15 +128,15 @@ module rc2_ray_engine (
 
   // ---- The reader, and what it is given -------------------------------------------------------------------
   logic [N-1:0] todo;
-  logic [CoordW-1:0] last;
+  logic [CoordW-1:0] last_z;
   logic [RayW-1:0] to_read;
   always_comb begin
     todo = '0;
-    last = '0;
+    last_z = '0;
     to_read = '0;
     for (int q = 0; q < 4; q++) begin
       todo = todo | (look_todo[q*N+:N] & {N{turn[q]}});
-      last = last | (look_z[q*CoordW+:CoordW] & {CoordW{turn[q]}});
+      last_z = last_z | (look_z[q*CoordW+:CoordW] & {CoordW{turn[q]}});
       to_read = to_read | (look_ray[q*RayW+:RayW] & {RayW{turn[q]}});
     end
   end
@@ -155,7 +155,7 @@ module rc2_ray_engine (
       .from_i      (from),
       .ray_i       (to_read),
       .todo_i      (todo),
-      .last_i      (last),
+      .last_i      (last_z),
       .along_y_i   ((look_along_y & turn) != 0),
       .leaves_i    ((look_leaves & turn) != 0),
       .beyond_i    ((look_beyond & turn) != 0),

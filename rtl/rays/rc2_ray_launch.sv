@@ -7,7 +7,7 @@
 module rc2_ray_launch (
     input  logic            clk_i,
     input  logic            rst_ni,
-    input  logic            take_i,   // a ray begins; ready_i or nothing is there
+    input  logic            take_i,   // a ray begins; nothing is there, or it leaves
     input  rc2_pkg::start_t begin_i,
     output logic            busy_o,
     output logic            ready_o,  // it can go on, as ray_o

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Two of rc2_ray_launch, by turns: a ray takes as long as in one, the next one half as long.
+// Two of rc2_ray_launch, by turns: two rays in the time of one.
 
 module rc2_ray_launches (
     input  logic            clk_i,

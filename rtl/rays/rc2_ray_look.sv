@@ -18,7 +18,7 @@ module rc2_ray_look (
     input  rc2_pkg::ray_t                   begins_i,
     // the reader, as rc2_ray_read has it
     input  logic                             early_i,
-    input  logic                             given_i,   // by wants_o
+    input  logic                             given_i,   // it has the reader; only if wants_o
     input  logic                             blocks_i,  // what it may pass goes where rays of this quadrant go
     output logic                             wants_o,
     output logic [          rc2_pkg::N-1:0] todo_o,

@@ -60,6 +60,8 @@ module rc2_ray_net (
   localparam int unsigned PlaceFracW = rc2_pkg::PlaceFracW;
   localparam int unsigned DirW = rc2_pkg::DirW;
   localparam int unsigned OriginAt = 3 * DirW;  // of a start, its x highest; below it the direction
+  localparam int unsigned DirXAt = RayW - StartW + 3 * DirW - 1;  // of a ray, the signs of its direction
+  localparam int unsigned DirYAt = RayW - StartW + 2 * DirW - 1;
   localparam int unsigned Senders = 19;
   localparam int unsigned Launched = 8;
   localparam int unsigned Answers = 9;
@@ -116,11 +118,9 @@ module rc2_ray_net (
   logic launched_q;
   logic [RayW-1:0] launched_ray;
   rc2_pkg::ray_t launched_ray_q;
-  logic [StartW-1:0] launched_start;
   logic [1:0] launched_quadrant;
   logic [3:0] launched_kind;
-  assign launched_start = launched_ray_q.start;
-  assign launched_quadrant = {launched_start[2*DirW-1], launched_start[3*DirW-1]};
+  assign launched_quadrant = {launched_ray_q[DirYAt], launched_ray_q[DirXAt]};
   assign launched_kind = 4'd1 << launched_quadrant;
   assign launch_room_o = !launched_q;
   assign has[Launched] = launched_q;
@@ -313,9 +313,15 @@ module rc2_ray_net (
                   3'(grants[2*Senders+:Answers] != 0) + 3'(grants[3*Senders+:Answers] != 0);
   assign busy_o = (has != 0) || spawned_o;
 
-  // Contract: what comes has room, and is for one queue.
+  // Contract: what comes has room, and is for one queue; what goes on is of its quadrant.
   always_ff @(posedge clk_i) begin
     if (rst_ni && !clear_i) begin
+      for (int q = 0; q < 4; q++) begin
+        if (pass_i[2*q+:2] != 0 || launch_i[q]) begin
+          assert (ray_i[q*RayW+DirXAt] == (q % 2 == 1));
+          assert (ray_i[q*RayW+DirYAt] == (q / 2 == 1));
+        end
+      end
       for (int w = 0; w < 4; w++) begin
         assert ((comes_to[w*LinkRoomW+:LinkRoomW] & ~room_o[w*LinkRoomW+:LinkRoomW]) == 0);
         assert ((comes_to[w*LinkRoomW+:LinkRoomW] & (comes_to[w*LinkRoomW+:LinkRoomW] - 1'b1)) == 0);

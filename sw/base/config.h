@@ -33,7 +33,7 @@ inline LightMode parse_light_mode(const std::string& word) {
 /// Cycles that light takes from a cell to the next where nothing holds it up.
 constexpr int hop_stages(LightMode mode) { return mode == LightMode::thesis ? 3 : 2; }
 
-/// What a cell may have more than one of, for rays. RTL has what is here unless told otherwise.
+/// What a cell may have more than one of, for rays. RTL has this many, the cycle model others, too.
 struct RayUnits {
   int looks = 4;       ///< 1, 2 (rays to the east, to the west) or 4 (one for each quadrant)
   int arithmetic = 2;  ///< 1 or 2 in which rays begin, and as many in which they meet a plane

@@ -20,9 +20,12 @@ RayDeeds RayEngine::step(const RayWorld& world, const RayHeads& heads, std::int6
   RayDeeds deeds;
   begin_child(world, heads, cycle, deeds);
   hit(world, cycle);
-  Reader reader = read(world, cycle, deeds);
+  Offer offer = read(world, cycle, deeds);
+  const std::optional<Stage>& oldest = launches_[launch_turn_.out];
+  if (oldest && cycle >= oldest->done_at && heads.has_launch_room)
+    offer.begins = look_of(world.rays[oldest->ray].quadrant(), world);
   for (int i = 0, first = reader_turn_; i < world.units.looks; ++i)
-    look(world, heads, (first + i) % world.units.looks, reader, cycle, deeds);
+    look(world, heads, (first + i) % world.units.looks, offer, cycle, deeds);
   launch(world, heads, cycle, deeds);
   return deeds;
 }
@@ -56,16 +59,16 @@ void RayEngine::hit(const RayWorld& world, std::int64_t cycle) {
 
 // A ray that has been read goes on in the cycle of the verdict, or to the next stage in a later
 // one.
-RayEngine::Reader RayEngine::read(const RayWorld& world, std::int64_t cycle, RayDeeds& deeds) {
-  if (!read_) return {true, true, 0, {}};
+RayEngine::Offer RayEngine::read(const RayWorld& world, std::int64_t cycle, RayDeeds& deeds) {
+  if (!read_) return {true, true, 0, {}, {}};
   const Reading now = *read_;
   const RayWalk& walk = world.rays[now.ray];
-  Reader reader{};
+  Offer offer{};
   if (cycle <= now.verdict_at) {
-    reader.held = 1U << now.from;
-    if (cycle < now.verdict_at) return reader;
-    reader.may_be_free = !walk.has_more();
-    if (reader.may_be_free) reader.blocks = look_of(walk.quadrant(), world);
+    offer.held = 1U << now.from;
+    if (cycle < now.verdict_at) return offer;
+    offer.reader_may_be_free = !walk.has_more();
+    if (offer.reader_may_be_free) offer.blocks = look_of(walk.quadrant(), world);
     if (!walk.end()) {
       pass(world, now.ray, now.from, cycle, deeds);
       read_.reset();
@@ -73,7 +76,7 @@ RayEngine::Reader RayEngine::read(const RayWorld& world, std::int64_t cycle, Ray
       deeds.ended = now.from;
     }
   } else {
-    reader.may_be_free = true;
+    offer.reader_may_be_free = true;
     std::optional<Stage>& meet = hits_[hit_turn_.in].meet;
     if (!meet) {
       meet = {now.ray, cycle + walk.end()->meet_cycles};
@@ -82,8 +85,8 @@ RayEngine::Reader RayEngine::read(const RayWorld& world, std::int64_t cycle, Ray
       read_.reset();
     }
   }
-  reader.is_free = !read_;
-  return reader;
+  offer.reader_is_free = !read_;
+  return offer;
 }
 
 int RayEngine::look_of(unsigned quadrant, const RayWorld& world) {
@@ -91,7 +94,7 @@ int RayEngine::look_of(unsigned quadrant, const RayWorld& world) {
 }
 
 // One ray: the one that begins here before those that pass.
-void RayEngine::look(const RayWorld& world, const RayHeads& heads, int number, Reader& reader,
+void RayEngine::look(const RayWorld& world, const RayHeads& heads, int number, Offer& offer,
                      std::int64_t cycle, RayDeeds& deeds) {
   std::optional<Stage>& launch = launches_[launch_turn_.out];
   std::uint32_t waiting = 0;
@@ -99,11 +102,9 @@ void RayEngine::look(const RayWorld& world, const RayHeads& heads, int number, R
     if (look_of(queue / 2, world) == number && heads.rays[queue] &&
         !world.rays[*heads.rays[queue]].is_sent())
       waiting |= 1U << queue;
-  if (launch && cycle >= launch->done_at && heads.has_launch_room && !deeds.begins &&
-      look_of(world.rays[launch->ray].quadrant(), world) == number)
-    waiting |= 1U << kLaunched;
-  waiting &= ~reader.held;
-  if (!reader.may_be_free) waiting &= ~to_read_;
+  if (offer.begins == number) waiting |= 1U << kLaunched;
+  waiting &= ~offer.held;
+  if (!offer.reader_may_be_free) waiting &= ~to_read_;
   if (waiting == 0) return;
 
   Rotate& turn = look_turns_[static_cast<std::size_t>(number)];
@@ -113,13 +114,12 @@ void RayEngine::look(const RayWorld& world, const RayHeads& heads, int number, R
   RayWalk& walk = world.rays[ray];
   if (!walk.is_probed()) walk.probe(world.columns, world.job, world.counts);
   const bool has_more_to_do = walk.reads() > 0 || walk.end();
-  if (has_more_to_do ? !reader.is_free : reader.blocks == number) {
+  if (has_more_to_do ? !offer.reader_is_free : offer.blocks == number) {
     if (has_more_to_do) to_read_ |= 1U << from;
     return;
   }
   to_read_ &= ~(1U << from);
   if (begins) {
-    deeds.begins = true;
     launch.reset();
     pass_turn(launch_turn_.out, world);
   } else {
@@ -134,7 +134,7 @@ void RayEngine::look(const RayWorld& world, const RayHeads& heads, int number, R
   walk.age += reading;
   work(RayStage::read) += reading;
   read_ = {ray, from, cycle + reading};
-  reader.is_free = false;
+  offer.reader_is_free = false;
   reader_turn_ = (number + 1) % world.units.looks;
   if (!walk.end()) return;
   walk.age += 1 + walk.end()->meet_cycles + walk.end()->bend_cycles + ray_timing::kAnswer;

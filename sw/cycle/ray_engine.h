@@ -38,7 +38,6 @@ struct RayHeads {
 /// What it does in the cycle.
 struct RayDeeds {
   bool takes_spawned = false;
-  bool begins = false;                      ///< a ray has left where it begins: one a cycle
   std::optional<unsigned> ended{};          ///< the head of this queue goes no further
   std::optional<std::uint32_t> launched{};  ///< has begun here, and goes on
   std::optional<RayBegin> child{};          ///< is to begin here
@@ -74,12 +73,13 @@ class RayEngine {
     unsigned from;
     std::int64_t verdict_at;
   };
-  // What the reader lets the looks do.
-  struct Reader {
-    bool may_be_free;           // or is: told early in the cycle
-    bool is_free;               // told late
-    std::uint32_t held;         // it has the head of this queue, one bit
-    std::optional<int> blocks;  // it may pass a ray where this look would
+  // What the looks may do in a cycle.
+  struct Offer {
+    bool reader_may_be_free;    // or is: told early in the cycle
+    bool reader_is_free;        // told late
+    std::uint32_t held;         // the reader has the head of this queue, one bit
+    std::optional<int> blocks;  // the reader may pass a ray where this look would
+    std::optional<int> begins;  // a ray may begin, and this look sees it
   };
   // The look that sees the rays of a quadrant.
   static int look_of(unsigned quadrant, const RayWorld& world);
@@ -95,8 +95,8 @@ class RayEngine {
   static void pass_turn(std::uint8_t& turn, const RayWorld& world);
 
   void hit(const RayWorld& world, std::int64_t cycle);
-  Reader read(const RayWorld& world, std::int64_t cycle, RayDeeds& deeds);
-  void look(const RayWorld& world, const RayHeads& heads, int number, Reader& reader,
+  Offer read(const RayWorld& world, std::int64_t cycle, RayDeeds& deeds);
+  void look(const RayWorld& world, const RayHeads& heads, int number, Offer& offer,
             std::int64_t cycle, RayDeeds& deeds);
   void launch(const RayWorld& world, const RayHeads& heads, std::int64_t cycle, RayDeeds& deeds);
   void pass(const RayWorld& world, std::uint32_t ray, unsigned from, std::int64_t cycle,

@@ -3,9 +3,9 @@
 // The rays' network of a cell, rc2_ray_net, with an engine and a home that do anything that keeps to what the
 // network asks of them:
 //
-// - A ray at the head of a queue, or one that begins here, goes on or ends at any time, of each quadrant one in a
-//   cycle. What goes on keeps to its quadrant and to the array. One begins only if there is a place for it to go on
-//   from; two wait for that at most.
+// - A ray at the head of a queue, or one that begins here, goes on or ends at any time; in a cycle one of each
+//   quadrant goes on and one of the cell ends. What goes on keeps to its quadrant and to the array. One begins only
+//   if there is a place for it to go on from; two wait for that at most.
 // - Of what has ended Held rays at most wait in the engine. Each of them may send new rays that begin here,
 //   where there is room, and becomes an answer to any home. An answer stays until it is taken.
 // - The home sends any rays to any cells, one at a time, and takes what has arrived one at a time, sooner or later.
@@ -100,7 +100,7 @@ module ray_cell #(
   assign ends = (pop != 0) || fails;
   always_ff @(posedge clk_i) begin
     starting_q <= !rst_ni ? 2'd0 : starting_q + 2'(takes) - 2'(begins);
-    begun_q    <= rst_ni && (begins || (begun_q && launch == 0 && !fails));
+    begun_q    <= rst_ni && (begins || begun_q) && launch == 0 && !fails;
     held_q     <= !rst_ni ? 3'd0 : held_q + 3'(ends) - 3'(replies);
     answer_q   <= rst_ni && (replies || (answer_q && !answer_taken));
     home_q     <= rst_ni && (sends || (home_q && !home_taken));
@@ -113,9 +113,9 @@ module ray_cell #(
     assume ((pass & ~waits) == 0 && (pop & ~waits) == 0 && (pass & pop) == 0);
     assume ((pop & (pop - 1'b1)) == 0 && (launch & (launch - 1'b1)) == 0);
     assume (alone == '1 && (goes_on & leaves_array) == 0);
-    assume (!takes || (spawned && starting_q != Starting));
+    assume (!takes || (spawned && (starting_q != Starting || begins)));
     assume (!begins || (starting_q != 0 && launch_room && !begun_q));
-    assume (!(launch != 0 || fails) || begun_q);
+    assume (!(launch != 0 || fails) || begun_q || begins);
     assume (!(launch != 0 && fails) && !(fails && pop != 0));
     assume (!ends || held_q != Held);
     assume (!spawn || (spawn_room && held_q != 0));

@@ -151,13 +151,11 @@ module ray_net_keeps #(
 
   // What the engine makes of a ray is another one. A start that begins is no message any more.
   logic [3:0] there, came, gone, balance_q;
-  logic [3:0] made;
-  for (genvar q = 0; q < 4; q++) begin : g_made
-    assign made[q] = \u_cell.goes_on [q] && kind == q && \u_cell.ray_tags [q*NodeW+:NodeW] == tag;
-  end
+  logic made;
+  assign made = of_rays && \u_cell.goes_on [kind[1:0]] && \u_cell.ray_tags [kind[1:0]*NodeW+:NodeW] == tag;
   always_comb begin
     there = 4'd0;
-    came = 4'(made != 0);
+    came = 4'(made);
     gone = 4'd0;
     for (int s = 0; s < 19; s++) if (s != 13 && s != 18) there = there + 4'(is_it[s]);
     for (int k = 0; k < 8; k++) gone = gone + 4'(is_it[k] && (\u_cell.pass [k] || \u_cell.pop [k]));
@@ -208,10 +206,16 @@ module ray_message (
 );
   localparam int unsigned MessageW = rc2_pkg::MessageW;
   localparam int unsigned PlaceW = rc2_pkg::PlaceW;
-  localparam int unsigned DirW = rc2_pkg::DirW;
-  rc2_pkg::start_t start, sender, passer;
+  rc2_pkg::start_t start, sender;
   rc2_pkg::answer_t answer;
   rc2_pkg::ray_t ray;
+  ray_of_quadrant u_ray (
+      .tag_i    (tag_i),
+      .west_i   (kind_i[1] || kind_i[3]),
+      .south_i  (kind_i[2] || kind_i[3]),
+      .along_y_i(1'b0),
+      .ray_o    (ray)
+  );
   always_comb begin
     start = '0;
     start.node = tag_i;
@@ -223,12 +227,6 @@ module ray_message (
     sender.home_y = to_y_i;
     answer = '0;
     answer.start = sender;
-    passer = '0;
-    passer.node = tag_i;
-    passer.dx = {kind_i[1] || kind_i[3], {(DirW - 1) {1'b0}}};
-    passer.dy = {kind_i[2] || kind_i[3], {(DirW - 1) {1'b0}}};
-    ray = '0;
-    ray.start = passer;
   end
   assign message_o = kind_i[5] ? MessageW'(start) : kind_i[4] ? MessageW'(answer) : MessageW'(ray);
 endmodule

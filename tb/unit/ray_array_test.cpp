@@ -126,7 +126,7 @@ TEST(RayArray, DoesNotBlockWhereAllRaysStartInOneCell) {
   for (RayStart& start : starts) start.origin = rays::kPlaceOne * glm::ivec3(n / 2, n / 2, 12);
   for (const int queue : {1, 4}) {
     const RayTraffic traffic = pair.compare(3, queue, &starts);
-    EXPECT_GE(traffic.cycles, n * n) << "a cell begins one ray at a time";
+    EXPECT_GE(traffic.cycles, n * n) << "a cell begins a ray a cycle at most";
   }
 }
 
@@ -148,10 +148,10 @@ TEST(RayArray, MoreUnitsDoTheSameInLessTime) {
   EXPECT_LT(trace({4, 2}).cycles, one.cycles);
 }
 
-TEST(RayArray, DeeperQueuesAreNotSlower) {
-  Pair pair("gallery", 64);
+TEST(RayArray, RaysWaitLessInDeeperQueues) {
+  Pair pair("gallery", 32);
   const RayTraffic narrow = pair.compare(4, 1), wide = pair.compare(4, 8);
-  EXPECT_LT(wide.cycles, narrow.cycles);
+  EXPECT_LT(wide.waits, narrow.waits);
   EXPECT_LE(wide.sent_again, narrow.sent_again);
   EXPECT_EQ(wide.latency, narrow.latency) << "what would be if nothing waited";
   EXPECT_EQ(wide.hops, narrow.hops);
