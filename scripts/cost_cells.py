@@ -43,19 +43,21 @@ def units(found):
 
 
 def rays(found):
-    def row(of):
-        return (f"`{of['unit']}`", of["count"], kilo(of["area"]), kilo(of["count"] * of["area"]), of["count"] * of["flip_flops"],
-                of["count"] * of["memory_bits"], *(path(of["path"]) if of["path"] else ("", "")))
-
     part, = found["rays"]
     units = part["units"]
     total = {name: sum(of["count"] * of[name] for of in units) for name in ("area", "flip_flops", "memory_bits")}
+
+    def row(of):
+        area = of["count"] * of["area"]
+        return (f"`{of['unit']}`", of["count"], kilo(of["area"]), kilo(area), f"{100 * area / total['area']:.0f} %",
+                of["count"] * of["flip_flops"], of["count"] * of["memory_bits"], *(path(of["path"]) if of["path"] else ("", "")))
+
     yield "## Rays"
     yield ""
     yield f"What a cell has for them, n = {part['n']}. Each unit without those in it that have a line of their own; its longest path is with them."
     yield ""
-    yield from table(("unit", "in a cell", "kGE of one", "kGE", "flip-flops", "bits of memory", "ns", "longest path"),
-                     (*map(row, units), ("all of it", "", "", kilo(total["area"]), total["flip_flops"], total["memory_bits"], "", "")))
+    yield from table(("unit", "in a cell", "kGE of one", "kGE", "share", "flip-flops", "bits of memory", "ns", "longest path"),
+                     (*map(row, units), ("all of it", "", "", kilo(total["area"]), "", total["flip_flops"], total["memory_bits"], "", "")))
 
 
 def dies(found):

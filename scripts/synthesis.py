@@ -127,6 +127,10 @@ class Design:
                 json.dump(found, file)
         return json.load(open(result))
 
+    def instances(self, name):
+        """How many of a module that stands apart are in the netlist; figures() has made it."""
+        return len(re.findall(rf"^  {name} ", open(f"{self.base}.v").read(), re.MULTILINE))
+
 
 def timed_netlist(design):
     """The netlist as OpenSTA reads it: with a buffer for each wire between ports where Yosys joins them in one assignment."""

@@ -60,7 +60,7 @@ void RayEngine::hit(const RayWorld& world, std::int64_t cycle) {
 // A ray that has been read goes on in the cycle of the verdict, or to the next stage in a later
 // one.
 RayEngine::Offer RayEngine::read(const RayWorld& world, std::int64_t cycle, RayDeeds& deeds) {
-  if (!read_) return {true, true, 0, {}, {}};
+  if (!read_) return {true, 0, {}, {}};
   const Reading now = *read_;
   const RayWalk& walk = world.rays[now.ray];
   Offer offer{};
@@ -85,7 +85,6 @@ RayEngine::Offer RayEngine::read(const RayWorld& world, std::int64_t cycle, RayD
       read_.reset();
     }
   }
-  offer.reader_is_free = !read_;
   return offer;
 }
 
@@ -114,7 +113,7 @@ void RayEngine::look(const RayWorld& world, const RayHeads& heads, int number, O
   RayWalk& walk = world.rays[ray];
   if (!walk.is_probed()) walk.probe(world.columns, world.job, world.counts);
   const bool has_more_to_do = walk.reads() > 0 || walk.end();
-  if (has_more_to_do ? !offer.reader_is_free : offer.blocks == number) {
+  if (has_more_to_do ? read_.has_value() : offer.blocks == number) {
     if (has_more_to_do) to_read_ |= 1U << from;
     return;
   }
@@ -134,7 +133,6 @@ void RayEngine::look(const RayWorld& world, const RayHeads& heads, int number, O
   walk.age += reading;
   work(RayStage::read) += reading;
   read_ = {ray, from, cycle + reading};
-  offer.reader_is_free = false;
   reader_turn_ = (number + 1) % world.units.looks;
   if (!walk.end()) return;
   walk.age += 1 + walk.end()->meet_cycles + walk.end()->bend_cycles + ray_timing::kAnswer;

@@ -75,8 +75,7 @@ class RayEngine {
   };
   // What the looks may do in a cycle.
   struct Offer {
-    bool reader_may_be_free;    // or is: told early in the cycle
-    bool reader_is_free;        // told late
+    bool reader_may_be_free;    // told early in the cycle; whether it is, read_ says late
     std::uint32_t held;         // the reader has the head of this queue, one bit
     std::optional<int> blocks;  // the reader may pass a ray where this look would
     std::optional<int> begins;  // a ray may begin, and this look sees it
