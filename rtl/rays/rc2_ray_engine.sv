@@ -70,7 +70,7 @@ module rc2_ray_engine (
   logic [8:0] read_pass;
   logic [CoordW-1:0] read_z;
   rc2_pkg::ray_t read_ray;
-  logic [3:0] wants, turn, takes, blocks, look_leaves, look_beyond, look_along_y, look_launches;
+  logic [3:0] wants, turn, takes, blocks, look_leaves, look_beyond, look_along_y, look_launches, look_work;
   logic [8:0] from;
   logic [4*N-1:0] look_todo;
   logic [4*CoordW-1:0] look_z;
@@ -112,10 +112,10 @@ module rc2_ray_engine (
         .ray_o     (look_ray[q*RayW+:RayW]),
         .z_o       (look_z[q*CoordW+:CoordW]),
         .along_y_o (look_along_y[q]),
-        .work_o    (work_o[q])
+        .work_o    (look_work[q])
     );
     assign {begins_from[q], from[2*q+:2]} = seen & {3{turn[q]}};
-    assign look_launches[q] = work_o[q] && seen[2];
+    assign look_launches[q] = look_work[q] && seen[2];
     rc2_ray_step u_step (
         .ray_i    (blocks[q] ? read_ray : look_ray[q*RayW+:RayW]),
         .z_i      (blocks[q] ? read_z : look_z[q*CoordW+:CoordW]),
@@ -125,6 +125,7 @@ module rc2_ray_engine (
     assign pass_o[2*q+:2] = pass[1:0] | read_pass[2*q+:2];
     assign launch_o[q] = pass[2] || (read_pass[8] && blocks[q]);
   end
+  assign work_o[3:0] = look_work;
 
   // ---- The reader, and what it is given -------------------------------------------------------------------
   logic [N-1:0] todo;
