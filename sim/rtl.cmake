@@ -39,10 +39,11 @@ endif()
 # -O1: as fast as -O2 and quicker to build; the slow path runs once. Waves cost nothing until they
 # are switched on, so every library can write them. An assertion knows its place in the hierarchy
 # and so gives each cell a body of its own: only the small arrays have them, and the points.
-# Files four times as long as Verilator would make them: each reads the headers of all cells again.
-set(RC2_VERILATOR_TRACED --trace-fst --trace-structs --output-split 80000)
+# Long files, for each reads the headers of all cells again; short functions, for what differs between two
+# cells, be it the place in an assertion, then differs in few of them: the rest is shared.
+set(RC2_VERILATOR_TRACED --trace-fst --trace-structs --output-split 80000 --output-split-cfuncs 1000)
 set(RC2_VERILATOR_FLAGS -Wall -O3 --x-assign fast --x-initial fast ${RC2_VERILATOR_TRACED})
-set(RC2_ASSERTED_UP_TO 4)
+set(RC2_ASSERTED_UP_TO 5)
 set(RC2_VERILATED_MAKE OPT_FAST=-O1 OPT_SLOW=-O0)
 if(CCACHE)
   list(APPEND RC2_VERILATED_MAKE OBJCACHE=ccache)
