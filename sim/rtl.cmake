@@ -36,14 +36,16 @@ if(RC2_COVERAGE)
   set(RC2_RTL_TOGGLES --coverage-toggle)
 endif()
 
-# -O1: as fast as -O2 and quicker to build; the slow path runs once. Waves cost nothing until they
-# are switched on, so every library can write them. An assertion knows its place in the hierarchy
-# and so gives each cell a body of its own: only the small arrays have them, and the points.
-# Long files, for each reads the headers of all cells again; short functions, for what differs between two
-# cells, be it the place in an assertion, then differs in few of them: the rest is shared.
-set(RC2_VERILATOR_TRACED --trace-fst --trace-structs --output-split 80000 --output-split-cfuncs 1000)
-set(RC2_VERILATOR_FLAGS -Wall -O3 --x-assign fast --x-initial fast ${RC2_VERILATOR_TRACED})
+# What every Verilated array and unit is built with that can write waves, which cost nothing until they are
+# switched on. Cells share what C++ is the same for all of them, function by function: so there are no
+# data-flow graphs and no tables, for what Verilator finds in them differs from cell to cell, and functions
+# are short. Files are long, for each reads the headers of all cells again.
+set(RC2_VERILATOR_FLAGS -Wall -O3 -fno-dfg -fno-table --trace-fst --trace-structs
+                        --output-split 80000 --output-split-cfuncs 1000)
+# An assertion knows its place in the hierarchy, so that its function is not shared: only the small arrays
+# have them, and the points.
 set(RC2_ASSERTED_UP_TO 5)
+# -O1: as fast as -O2 and quicker to build; the slow path runs once.
 set(RC2_VERILATED_MAKE OPT_FAST=-O1 OPT_SLOW=-O0)
 if(CCACHE)
   list(APPEND RC2_VERILATED_MAKE OBJCACHE=ccache)
@@ -67,12 +69,6 @@ function(rc2_add_rtl name n)
     list(APPEND checks ${RC2_RTL_TOGGLES})
     list(APPEND make_words OPT_FAST=-O0)
   endif()
-  # What Verilator finds in graphs and tables of a cell with rays differs from cell to cell: half the code is
-  # shared again without, and it runs 1.7 times as fast.
-  set(flags ${RC2_VERILATOR_FLAGS})
-  if(RAYS=1 IN_LIST ARGN)
-    list(APPEND flags -fno-dfg -fno-table)
-  endif()
   set(rules ${RC2_RTL_RULES})
   if(name MATCHES "^flat_")
     list(TRANSFORM rules REPLACE ".*/rc2.vlt" ${CMAKE_BINARY_DIR}/rtl/flat.vlt)
@@ -83,7 +79,7 @@ function(rc2_add_rtl name n)
     OUTPUT ${library}
     COMMAND ${CMAKE_COMMAND} -E rm -rf ${folder}
     COMMAND
-      ${VERILATOR} --cc --exe ${flags} -DRC2_N=${n} ${defines}
+      ${VERILATOR} --cc --exe ${RC2_VERILATOR_FLAGS} --x-assign fast --x-initial fast -DRC2_N=${n} ${defines}
       --top-module rc2_machine ${rules} ${RC2_RTL_SOURCES} ${checks} --Mdir ${folder} -o ${library}
       -CFLAGS "-std=c++17 -fPIC -I${PROJECT_SOURCE_DIR}" -LDFLAGS "-shared -lfmt"
       ${RC2_VERILATED_GLUE}

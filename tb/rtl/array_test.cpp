@@ -225,7 +225,7 @@ TEST_P(RandomPackets, LoadAndLightTheSameOnAllThreeMachines) {
   Machines& machines = machines_of(n);
   Dice dice(static_cast<std::uint64_t>(n));
   const int f = machines.rtl->config().fraction_bits;
-  for (int round = 0; round < (n < 16 ? 60 : 24); ++round) {
+  for (int round = 0; round < 60; ++round) {
     SCOPED_TRACE("round " + std::to_string(round));
     const std::int64_t scale =
         round % 2 == 0 ? 4 : std::int64_t{1} << (2 * (coordinate_bits(n) + f));
@@ -246,7 +246,7 @@ INSTANTIATE_TEST_SUITE_P(Sizes, RandomPackets, testing::Values(4, 5, 8, 16),
 
 INSTANTIATE_TEST_SUITE_P(Machines, RandomScenes,
                          testing::Values(Draws{"n4", 200}, Draws{"whole_n4", 100}, Draws{"n5", 150},
-                                         Draws{"n8", 150}, Draws{"n16", 20}, Draws{"thesis_n4", 80},
+                                         Draws{"n8", 150}, Draws{"n16", 50}, Draws{"thesis_n4", 80},
                                          Draws{"thesis_n5", 60}, Draws{"thesis_n8", 50},
                                          Draws{"thesis_n16", 20}),
                          name_of);
