@@ -138,14 +138,14 @@ std::string to_csv(const std::vector<Row>& rows) {
 
 }  // namespace
 
-void declare_choices(CLI::App& program, ExitCode& exit_code) {
+void declare_choices(Program& program) {
   auto options = std::make_shared<TableOptions>();
   options->sides = {32, 64};
-  auto* command = program.add_subcommand(
+  Command command = program.command(
       "choices", "Compares chapter 5's choices of normal, hit and owner with the continuous scene");
-  declare_table_options(*command, *options, "Files that Assimp reads, or generated scenes");
-  command->callback([options, &exit_code] {
-    exit_code = make_table<Row>(
+  declare_table_options(command, *options, "Files that Assimp reads, or generated scenes");
+  command.run([options] {
+    return make_table<Row>(
         *options,
         [](const std::string& scene, int n, ProgressBar& bar, std::vector<Row>& rows) {
           const Progress progress = bar.step(fmt::format("{}, n = {}", scene, n));

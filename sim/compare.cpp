@@ -26,14 +26,14 @@ ExitCode compare_files(const Files& files) {
 
 }  // namespace
 
-void declare_compare(CLI::App& program, ExitCode& exit_code) {
+void declare_compare(Program& program) {
   auto files = std::make_shared<Files>();
-  auto* command = program.add_subcommand(
+  Command command = program.command(
       "compare",
       "Compares two dumps voxel by voxel; exit code 0: equal, 1: different, 2: not readable");
-  command->add_option("EXPECTED", files->expected, "A file of --dump")->required();
-  command->add_option("GOT", files->got, "Another one")->required();
-  command->callback([files, &exit_code] { exit_code = compare_files(*files); });
+  command.option("EXPECTED", files->expected, "A file of --dump").required();
+  command.option("GOT", files->got, "Another one").required();
+  command.run([files] { return compare_files(*files); });
 }
 
 }  // namespace rc2

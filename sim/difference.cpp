@@ -199,20 +199,19 @@ ExitCode find_difference(const DifferenceOptions& options, ProgressBar& bar) {
 
 }  // namespace
 
-void declare_difference(CLI::App& program, ExitCode& exit_code) {
+void declare_difference(Program& program) {
   auto options = std::make_shared<DifferenceOptions>();
-  auto* command = program.add_subcommand(
+  Command command = program.command(
       "difference",
       "Where and when the Verilated array, the cycle model and the golden model first differ on a "
       "job: cycle, cell, what is around it, a waveform of that moment; exit code 3 if they do");
-  declare_light_options(*command, *options);
-  command->add_option("--waves", options->waves, "Where the waveform goes, and its list of signals")
-      ->type_name("FILE.fst")
-      ->capture_default_str();
-  command->callback([options, &exit_code] {
+  declare_light_options(command, *options);
+  command.option("--waves", options->waves, "Where the waveform goes, and its list of signals")
+      .type("FILE.fst");
+  command.run([options] {
     check_options(*options);
     ProgressBar bar;
-    exit_code = within_memory(options->n, [&] { return find_difference(*options, bar); });
+    return within_memory(options->n, [&] { return find_difference(*options, bar); });
   });
 }
 

@@ -140,42 +140,35 @@ ExitCode measure_diffusion(const DiffusionOptions& options) {
 
 }  // namespace
 
-void declare_diffusion(CLI::App& program, ExitCode& exit_code) {
+void declare_diffusion(Program& program) {
   auto options = std::make_shared<DiffusionOptions>();
-  auto* command = program.add_subcommand(
+  Command command = program.command(
       "diffusion",
       "Counts the cycles that light takes, from three sources, for L = n-1 and 2n (chapter 4)");
-  command->add_option("SCENE", options->scenes, "Files that Assimp reads, or generated scenes")
-      ->required();
+  command.option("SCENE", options->scenes, "Files that Assimp reads, or generated scenes")
+      .required();
   command
-      ->add_option("--n", options->sides,
-                   fmt::format("Cells per side and voxels per column, 2 to {}", kMaxSide))
-      ->delimiter(',')
-      ->check(CLI::Range(2, kMaxSide))
-      ->capture_default_str();
-  command->add_option("--fa", options->queues, "Beams that a cell has room for, 1 to 64")
-      ->delimiter(',')
-      ->check(CLI::Range(1, 64))
-      ->capture_default_str();
-  command->add_option("--mode", options->modes, "How light spreads: thesis, fast")
-      ->delimiter(',')
-      ->check(CLI::IsMember({"thesis", "fast"}))
-      ->capture_default_str();
+      .option("--n", options->sides,
+              fmt::format("Cells per side and voxels per column, 2 to {}", kMaxSide))
+      .list()
+      .within(2, kMaxSide);
+  command.option("--fa", options->queues, "Beams that a cell has room for, 1 to 64")
+      .list()
+      .within(1, 64);
+  command.option("--mode", options->modes, "How light spreads: thesis, fast")
+      .list()
+      .one_of({"thesis", "fast"});
   command
-      ->add_option("--skip", options->skips,
-                   "In fast mode, whether light that can meet nothing ends early: on, off")
-      ->delimiter(',')
-      ->check(CLI::IsMember({"on", "off"}))
-      ->capture_default_str();
+      .option("--skip", options->skips,
+              "In fast mode, whether light that can meet nothing ends early: on, off")
+      .list()
+      .one_of({"on", "off"});
   command
-      ->add_option("--light-rule", options->rules,
-                   "Where light ends: thesis, accurate (fast mode only)")
-      ->delimiter(',')
-      ->check(CLI::IsMember({"thesis", "accurate"}))
-      ->capture_default_str();
-  command->add_option("--out", options->out, "Write the table to this CSV file")
-      ->type_name("FILE.csv");
-  command->callback([options, &exit_code] { exit_code = measure_diffusion(*options); });
+      .option("--light-rule", options->rules, "Where light ends: thesis, accurate (fast mode only)")
+      .list()
+      .one_of({"thesis", "accurate"});
+  command.option("--out", options->out, "Write the table to this CSV file").type("FILE.csv");
+  command.run([options] { return measure_diffusion(*options); });
 }
 
 }  // namespace rc2

@@ -195,15 +195,15 @@ std::string to_csv(const std::vector<Row>& rows) {
 
 }  // namespace
 
-void declare_emission(CLI::App& program, ExitCode& exit_code) {
+void declare_emission(Program& program) {
   auto options = std::make_shared<TableOptions>();
   options->sides = {16, 32};
-  auto* command = program.add_subcommand(
+  Command command = program.command(
       "emission",
       "Counts rays, voxels and messages of each way to find what a light reaches (4.1, 4.2)");
-  declare_table_options(*command, *options, "Files that Assimp reads, or generated scenes");
-  command->callback([options, &exit_code] {
-    exit_code = make_table<Row>(
+  declare_table_options(command, *options, "Files that Assimp reads, or generated scenes");
+  command.run([options] {
+    return make_table<Row>(
         *options,
         [](const std::string& scene, int n, ProgressBar& bar, std::vector<Row>& rows) {
           Bench(scene, n, rows).measure(bar.step(fmt::format("{}, n = {}", scene, n)));

@@ -138,20 +138,17 @@ ExitCode measure_leaks(const LeakOptions& options) {
 
 }  // namespace
 
-void declare_leaks(CLI::App& program, ExitCode& exit_code) {
+void declare_leaks(Program& program) {
   auto options = std::make_shared<LeakOptions>();
-  auto* command = program.add_subcommand(
+  Command command = program.command(
       "leaks", "Counts what passes the voxels of closed meshes, by discretiser (thesis chapter 3)");
-  command->add_option("files", options->files,
-                      fmt::format("Closed meshes that Assimp reads, fitted into {} voxels a side, "
-                                  "besides the generated ones",
-                                  kFileSide));
-  command->add_option("--meshes", options->meshes, "Generated meshes of each kind")
-      ->check(CLI::Range(1, 100'000))
-      ->capture_default_str();
-  command->add_option("--out", options->out, "Write the table to this CSV file")
-      ->type_name("FILE.csv");
-  command->callback([options, &exit_code] { exit_code = measure_leaks(*options); });
+  command.option("files", options->files,
+                 fmt::format("Closed meshes that Assimp reads, fitted into {} voxels a side, "
+                             "besides the generated ones",
+                             kFileSide));
+  command.option("--meshes", options->meshes, "Generated meshes of each kind").within(1, 100'000);
+  command.option("--out", options->out, "Write the table to this CSV file").type("FILE.csv");
+  command.run([options] { return measure_leaks(*options); });
 }
 
 }  // namespace rc2

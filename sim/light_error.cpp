@@ -103,26 +103,22 @@ std::string to_csv(const std::vector<Row>& rows) {
 
 }  // namespace
 
-void declare_light_error(CLI::App& program, ExitCode& exit_code) {
+void declare_light_error(Program& program) {
   auto options = std::make_shared<LightErrorOptions>();
-  auto* command = program.add_subcommand(
+  Command command = program.command(
       "light-error", "Compares the light of the golden model with the continuous scene (Embree)");
-  declare_table_options(*command, *options,
+  declare_table_options(command, *options,
                         "Files that Assimp reads, or generated scenes: those of run; boxes, tori, "
                         "plates:THICKNESS, sheets");
-  declare_list(*command, "--reach", options->reaches, 1, 8,
+  declare_list(command, "--reach", options->reaches, 1, 8,
                "Distances L of the virtual faces, over n");
-  command->add_option("--light-rule", options->rules, "Rules of light")
-      ->delimiter(',')
-      ->check(CLI::IsMember({"thesis", "accurate"}))
-      ->capture_default_str();
-  command
-      ->add_option("--fraction-bits", options->fraction_bits,
-                   "Vertices are multiples of 2^-f voxel")
-      ->check(CLI::Range(0, kMaxFractionBits))
-      ->capture_default_str();
-  command->callback([options, &exit_code] {
-    exit_code = make_table<Row>(
+  command.option("--light-rule", options->rules, "Rules of light")
+      .list()
+      .one_of({"thesis", "accurate"});
+  command.option("--fraction-bits", options->fraction_bits, "Vertices are multiples of 2^-f voxel")
+      .within(0, kMaxFractionBits);
+  command.run([options] {
+    return make_table<Row>(
         *options,
         [&](const std::string& scene, int n, ProgressBar& bar, std::vector<Row>& rows) {
           measure(scene, n, *options, bar, rows);

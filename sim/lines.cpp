@@ -101,24 +101,15 @@ ExitCode draw_segment(const LineOptions& options) {
 
 }  // namespace
 
-void declare_lines(CLI::App& program, ExitCode& exit_code) {
+void declare_lines(Program& program) {
   auto options = std::make_shared<LineOptions>();
-  auto* command = program.add_subcommand(
+  Command command = program.command(
       "lines", "Draws a segment by each algorithm of thesis chapter 2 and compares their voxels");
-  const CLI::Range within(0, kMaxSide - 1);
-  command->add_option("--from", options->from, "First voxel, x,y,z")
-      ->delimiter(',')
-      ->expected(3)
-      ->check(within)
-      ->capture_default_str();
-  command->add_option("--to", options->to, "Last voxel, x,y,z")
-      ->delimiter(',')
-      ->expected(3)
-      ->check(within)
-      ->capture_default_str();
-  command->add_flag("--bench", options->bench, "Also measure speed, a few seconds");
-  command->add_option("--out", options->out, "A PNG of the segment drawn by each algorithm");
-  command->callback([options, &exit_code] { exit_code = draw_segment(*options); });
+  command.option("--from", options->from, "First voxel, x,y,z").list_of(3).within(0, kMaxSide - 1);
+  command.option("--to", options->to, "Last voxel, x,y,z").list_of(3).within(0, kMaxSide - 1);
+  command.flag("--bench", options->bench, "Also measure speed, a few seconds");
+  command.option("--out", options->out, "A PNG of the segment drawn by each algorithm");
+  command.run([options] { return draw_segment(*options); });
 }
 
 }  // namespace rc2

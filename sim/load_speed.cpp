@@ -127,26 +127,21 @@ ExitCode measure_speed(const SpeedOptions& options) {
 
 }  // namespace
 
-void declare_load_speed(CLI::App& program, ExitCode& exit_code) {
+void declare_load_speed(Program& program) {
   auto options = std::make_shared<SpeedOptions>();
-  auto* command = program.add_subcommand(
+  Command command = program.command(
       "load-speed", "Times the way from a scene to voxels on the golden machine (chapter 3)");
-  command->add_option("SCENE", options->scenes,
-                      "Files that Assimp reads, or generated scenes, besides a sphere of small "
-                      "triangles and some large ones");
+  command.option("SCENE", options->scenes,
+                 "Files that Assimp reads, or generated scenes, besides a sphere of small "
+                 "triangles and some large ones");
   command
-      ->add_option("--n", options->n,
-                   fmt::format("Voxels per side, {} to {}", kSmallestSide, kMaxSide))
-      ->check(CLI::Range(kSmallestSide, kMaxSide))
-      ->capture_default_str();
-  command->add_option("--repeats", options->repeats, "Runs, of which the fastest counts")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  command->add_option("--out", options->out, "Write the table to this CSV file")
-      ->type_name("FILE.csv");
-  command->callback([options, &exit_code] {
-    exit_code = within_memory(options->n, [&] { return measure_speed(*options); });
-  });
+      .option("--n", options->n, fmt::format("Voxels per side, {} to {}", kSmallestSide, kMaxSide))
+      .within(kSmallestSide, kMaxSide);
+  command.option("--repeats", options->repeats, "Runs, of which the fastest counts")
+      .within(1, 1000);
+  command.option("--out", options->out, "Write the table to this CSV file").type("FILE.csv");
+  command.run(
+      [options] { return within_memory(options->n, [&] { return measure_speed(*options); }); });
 }
 
 }  // namespace rc2

@@ -250,31 +250,26 @@ ExitCode measure_loading(const LoadingOptions& options) {
 
 }  // namespace
 
-void declare_loading(CLI::App& program, ExitCode& exit_code) {
+void declare_loading(Program& program) {
   auto options = std::make_shared<LoadingOptions>();
-  auto* command = program.add_subcommand(
+  Command command = program.command(
       "loading",
       "Counts the cycles that scenes take to load, beside the thesis's wave (chapter 3)");
-  command->add_option("SCENE", options->scenes, "Files that Assimp reads, or generated scenes")
-      ->required();
+  command.option("SCENE", options->scenes, "Files that Assimp reads, or generated scenes")
+      .required();
   command
-      ->add_option("--n", options->sides,
-                   fmt::format("Cells per side and voxels per column, 2 to {}", kMaxSide))
-      ->delimiter(',')
-      ->check(CLI::Range(2, kMaxSide))
-      ->capture_default_str();
+      .option("--n", options->sides,
+              fmt::format("Cells per side and voxels per column, 2 to {}", kMaxSide))
+      .list()
+      .within(2, kMaxSide);
+  command.option("--feeders", options->feeders, "Numbers of row feeders, powers of two up to n")
+      .list();
   command
-      ->add_option("--feeders", options->feeders, "Numbers of row feeders, powers of two up to n")
-      ->delimiter(',')
-      ->capture_default_str();
-  command
-      ->add_option("--sample", options->sample,
-                   "Facets that the wave is simulated with, evenly picked; the others are reckoned")
-      ->check(CLI::Range(kSmallestSample, kMaxFacets))
-      ->capture_default_str();
-  command->add_option("--out", options->out, "Write the table to this CSV file")
-      ->type_name("FILE.csv");
-  command->callback([options, &exit_code] { exit_code = measure_loading(*options); });
+      .option("--sample", options->sample,
+              "Facets that the wave is simulated with, evenly picked; the others are reckoned")
+      .within(kSmallestSample, kMaxFacets);
+  command.option("--out", options->out, "Write the table to this CSV file").type("FILE.csv");
+  command.run([options] { return measure_loading(*options); });
 }
 
 }  // namespace rc2

@@ -30,48 +30,36 @@ ExitCode write_rows(const MeasureOptions& options) {
 
 }  // namespace
 
-void declare_measure(CLI::App& program, ExitCode& exit_code) {
+void declare_measure(Program& program) {
   auto options = std::make_shared<MeasureOptions>();
-  auto* command = program.add_subcommand(
+  Command command = program.command(
       "measure",
       "Run time beside error: loads and lights a scene in many ways, compares voxels, "
       "light and picture with the continuous scene (Embree)");
-  declare_stage_options(*command, *options);
-  command->add_option("--rule", options->rule, "Voxels of a facet, as for run")
-      ->capture_default_str();
+  declare_stage_options(command, *options);
+  command.option("--rule", options->rule, "Voxels of a facet, as for run");
   command
-      ->add_option("--coefficient-bits", options->coefficient_bits,
-                   "Round planes to so many bits, widened to lose no voxel (default: exact)")
-      ->check(CLI::Range(2, 62));
-  command->add_option("--machine", options->machines, "Machines")
-      ->delimiter(',')
-      ->check(CLI::IsMember({"golden", "cycle", "rtl"}))
-      ->capture_default_str();
-  command->add_option("--mode", options->modes, "How light spreads")
-      ->delimiter(',')
-      ->check(CLI::IsMember({"fast", "thesis"}))
-      ->capture_default_str();
+      .option("--coefficient-bits", options->coefficient_bits,
+              "Round planes to so many bits, widened to lose no voxel (default: exact)")
+      .within(2, 62);
+  command.option("--machine", options->machines, "Machines")
+      .list()
+      .one_of({"golden", "cycle", "rtl"});
+  command.option("--mode", options->modes, "How light spreads").list().one_of({"fast", "thesis"});
   command
-      ->add_option("--skip", options->skips,
-                   "In fast mode, whether light that can meet nothing ends early: on, off")
-      ->delimiter(',')
-      ->check(CLI::IsMember({"on", "off"}))
-      ->capture_default_str();
-  command->add_option("--light-rule", options->light_rules, "Rules of light")
-      ->delimiter(',')
-      ->check(CLI::IsMember({"thesis", "accurate"}))
-      ->capture_default_str();
-  command->add_option("--reach", options->reaches, "Distances L of the virtual faces, over n")
-      ->delimiter(',')
-      ->check(CLI::Range(0.1, 8.0))
-      ->capture_default_str();
-  command->add_option("--fa", options->queues, "Beams that a cell has room for")
-      ->delimiter(',')
-      ->check(CLI::Range(1, 64))
-      ->capture_default_str();
-  command->callback([options, &exit_code] {
-    exit_code = within_memory(options->n, [&] { return write_rows(*options); });
-  });
+      .option("--skip", options->skips,
+              "In fast mode, whether light that can meet nothing ends early: on, off")
+      .list()
+      .one_of({"on", "off"});
+  command.option("--light-rule", options->light_rules, "Rules of light")
+      .list()
+      .one_of({"thesis", "accurate"});
+  command.option("--reach", options->reaches, "Distances L of the virtual faces, over n")
+      .list()
+      .within(0.1, 8.0);
+  command.option("--fa", options->queues, "Beams that a cell has room for").list().within(1, 64);
+  command.run(
+      [options] { return within_memory(options->n, [&] { return write_rows(*options); }); });
 }
 
 }  // namespace rc2

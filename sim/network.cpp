@@ -60,19 +60,18 @@ ExitCode make_network(const NetworkOptions& options) {
 
 }  // namespace
 
-void declare_network(CLI::App& program, ExitCode& exit_code) {
+void declare_network(Program& program) {
   auto options = std::make_shared<NetworkOptions>();
-  auto* command = program.add_subcommand(
+  Command command = program.command(
       "network",
       "Builds a Boolean network of thesis 2.4 and measures it, one name and value a line");
-  command->add_option("shape", options->shape, "circles or segments")->required();
-  command->add_option("size", options->size, "Largest radius R, or last column N")->required();
-  command->add_option("scheme", options->scheme, "star, chain, tree, tree:F or nearest")
-      ->required();
-  command->add_option("--out", options->out,
-                      "Folder for SHAPE_SCHEME.v (the hardware) and .json (its cells and links)");
-  command->add_flag("--planarity", options->planarity, "Also count the wires that cross");
-  command->callback([options, &exit_code] { exit_code = make_network(*options); });
+  command.option("shape", options->shape, "circles or segments").required();
+  command.option("size", options->size, "Largest radius R, or last column N").required();
+  command.option("scheme", options->scheme, "star, chain, tree, tree:F or nearest").required();
+  command.option("--out", options->out,
+                 "Folder for SHAPE_SCHEME.v (the hardware) and .json (its cells and links)");
+  command.flag("--planarity", options->planarity, "Also count the wires that cross");
+  command.run([options] { return make_network(*options); });
 }
 
 }  // namespace rc2

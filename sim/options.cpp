@@ -40,99 +40,83 @@ LightRule LightOptions::rule_of_light() const {
                                                                : LightRule::thesis;
 }
 
-void declare_scene_options(CLI::App& command, SceneOptions& options) {
+void declare_scene_options(Command& command, SceneOptions& options) {
   command
-      .add_option("SCENE", options.scene,
-                  "A file that Assimp reads, or a generated scene: empty, room, gallery, ball:R, "
-                  "shells:PERCENT[:SEED], dust:PERCENT[:SEED]")
-      ->required();
-  command.add_option("--n", options.n, "Cells per side and voxels per column, 2 to 1024")
-      ->capture_default_str();
+      .option("SCENE", options.scene,
+              "A file that Assimp reads, or a generated scene: empty, room, gallery, ball:R, "
+              "shells:PERCENT[:SEED], dust:PERCENT[:SEED]")
+      .required();
+  command.option("--n", options.n, "Cells per side and voxels per column, 2 to 1024");
   command
-      .add_option("--fit", options.fit,
-                  "cube: scale the scene to the voxels 1 .. n-2; none: take it as voxel "
-                  "coordinates (default: cube for files, none for generated scenes)")
-      ->check(CLI::IsMember({"cube", "none"}));
-  command
-      .add_option("--fraction-bits", options.fraction_bits,
-                  "Vertices are multiples of 2^-f voxel, f from 0 to 8")
-      ->capture_default_str();
-  command
-      .add_option("--rule", options.rule,
-                  "Voxels of a facet: armoured, naive, supercover, half or blindee")
-      ->capture_default_str();
-  command.add_option("--feeders", options.feeders,
-                     "Row feeders: words that the host port takes per cycle, a power of two "
-                     "(default: 1 for n < 8, then n / 4, at most 16)");
-  command
-      .add_option("--seed", options.seed, "Seed of shells:PERCENT and dust:PERCENT named without")
-      ->capture_default_str();
+      .option("--fit", options.fit,
+              "cube: scale the scene to the voxels 1 .. n-2; none: take it as voxel "
+              "coordinates (default: cube for files, none for generated scenes)")
+      .one_of({"cube", "none"});
+  command.option("--fraction-bits", options.fraction_bits,
+                 "Vertices are multiples of 2^-f voxel, f from 0 to 8");
+  command.option("--rule", options.rule,
+                 "Voxels of a facet: armoured, naive, supercover, half or blindee");
+  command.option("--feeders", options.feeders,
+                 "Row feeders: words that the host port takes per cycle, a power of two "
+                 "(default: 1 for n < 8, then n / 4, at most 16)");
+  command.option("--seed", options.seed, "Seed of shells:PERCENT and dust:PERCENT named without");
 }
 
-void declare_machine_options(CLI::App& command, SceneOptions& options, const std::string& machine) {
+void declare_machine_options(Command& command, SceneOptions& options, const std::string& machine) {
   options.machine = machine;
-  command.add_option("--machine", options.machine, "The machine")
-      ->check(CLI::IsMember({"golden", "cycle", "rtl"}))
-      ->capture_default_str();
-  command.add_option("--dump", options.dump, "Write the memories to this CSV file")
-      ->type_name("FILE.csv");
+  command.option("--machine", options.machine, "The machine").one_of({"golden", "cycle", "rtl"});
+  command.option("--dump", options.dump, "Write the memories to this CSV file").type("FILE.csv");
 }
 
-void declare_lights(CLI::App& command, std::vector<std::string>& lights) {
+void declare_lights(Command& command, std::vector<std::string>& lights) {
   command
-      .add_option("--light", lights,
-                  "x,y,z[,r,g,b]: a light at a voxel, colour 1,1,1 if not given; may be repeated "
-                  "(default: the scene's lights; one in the upper front left if it has none)")
-      ->allow_extra_args(false);
+      .option("--light", lights,
+              "x,y,z[,r,g,b]: a light at a voxel, colour 1,1,1 if not given; may be repeated "
+              "(default: the scene's lights; one in the upper front left if it has none)")
+      .repeated();
 }
 
-void declare_light_options(CLI::App& command, LightOptions& options) {
+void declare_light_options(Command& command, LightOptions& options) {
   declare_scene_options(command, options);
   declare_lights(command, options.lights);
   command
-      .add_option("--light-rule", options.light_rule,
-                  "Where light ends; thesis: in every occupied voxel; accurate: where facets turn "
-                  "away from it, inside solids and behind sheets (default: accurate in fast mode "
-                  "with --rule armoured, else thesis)")
-      ->check(CLI::IsMember({"thesis", "accurate"}));
-  command.add_option("--target-distance", options.target_distance,
-                     "Distance L of the virtual faces that light aims at, in voxels (default 2n)");
+      .option("--light-rule", options.light_rule,
+              "Where light ends; thesis: in every occupied voxel; accurate: where facets turn "
+              "away from it, inside solids and behind sheets (default: accurate in fast mode "
+              "with --rule armoured, else thesis)")
+      .one_of({"thesis", "accurate"});
+  command.option("--target-distance", options.target_distance,
+                 "Distance L of the virtual faces that light aims at, in voxels (default 2n)");
   command
-      .add_option(
-          "--mode", options.mode,
-          "How light spreads: fast, in lanes; thesis, voxel by voxel (4.4). What it reaches "
-          "is the same")
-      ->check(CLI::IsMember({"fast", "thesis"}))
-      ->capture_default_str();
+      .option("--mode", options.mode,
+              "How light spreads: fast, in lanes; thesis, voxel by voxel (4.4). What it reaches "
+              "is the same")
+      .one_of({"fast", "thesis"});
   command
-      .add_option("--skip", options.skip,
-                  "In fast mode, whether light that can meet nothing ends early (off: not with "
-                  "--machine rtl)")
-      ->check(CLI::IsMember({"on", "off"}))
-      ->capture_default_str();
-  command.add_option("--fa", options.fa, "Beams that a cell has room for")->capture_default_str();
+      .option("--skip", options.skip,
+              "In fast mode, whether light that can meet nothing ends early (off: not with "
+              "--machine rtl)")
+      .one_of({"on", "off"});
+  command.option("--fa", options.fa, "Beams that a cell has room for");
 }
 
-void declare_run_options(CLI::App& command, RunOptions& options) {
+void declare_run_options(Command& command, RunOptions& options) {
   declare_light_options(command, options);
   declare_machine_options(command, options, "cycle");
-  command.add_option("--out", options.out, "Folder of picture.png, picture.exr and report.json")
-      ->type_name("DIR")
-      ->capture_default_str();
+  command.option("--out", options.out, "Folder of picture.png, picture.exr and report.json")
+      .type("DIR");
   command
-      .add_option("--volume", options.volume,
-                  "Write voxels, owners and light to this OpenVDB file, for Blender or ParaView")
-      ->type_name("FILE.vdb");
-  auto* waves = command
-                    .add_option("--waves", options.waves,
-                                "Write a waveform to this FST file (--machine rtl only)")
-                    ->type_name("FILE.fst");
-  command.add_option("--waves-from", options.waves_from, "First clock cycle of the waveform")
-      ->needs(waves)
-      ->capture_default_str();
-  command.add_option("--waves-cycles", options.waves_cycles, "Clock cycles in the waveform")
-      ->needs(waves)
-      ->capture_default_str();
+      .option("--volume", options.volume,
+              "Write voxels, owners and light to this OpenVDB file, for Blender or ParaView")
+      .type("FILE.vdb");
+  const Option waves = command
+                           .option("--waves", options.waves,
+                                   "Write a waveform to this FST file (--machine rtl only)")
+                           .type("FILE.fst");
+  command.option("--waves-from", options.waves_from, "First clock cycle of the waveform")
+      .needs(waves);
+  command.option("--waves-cycles", options.waves_cycles, "Clock cycles in the waveform")
+      .needs(waves);
 }
 
 void check_options(SceneOptions& options) {

@@ -1,12 +1,12 @@
 // What the command line asks for, checked and with its defaults.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "sim/command_line.h"
 #include "sw/base/config.h"
 #include "sw/facet/facet.h"
 #include "sw/machine/machine.h"
@@ -60,13 +60,13 @@ struct RunOptions : LightOptions {
 };
 
 /// Declare the options of a command; of the machine, `machine` is the default one.
-void declare_scene_options(CLI::App& command, SceneOptions& options);
-void declare_machine_options(CLI::App& command, SceneOptions& options, const std::string& machine);
-void declare_lights(CLI::App& command, std::vector<std::string>& lights);
+void declare_scene_options(Command& command, SceneOptions& options);
+void declare_machine_options(Command& command, SceneOptions& options, const std::string& machine);
+void declare_lights(Command& command, std::vector<std::string>& lights);
 /// Those of scene and lights.
-void declare_light_options(CLI::App& command, LightOptions& options);
+void declare_light_options(Command& command, LightOptions& options);
 /// All of RunOptions.
-void declare_run_options(CLI::App& command, RunOptions& options);
+void declare_run_options(Command& command, RunOptions& options);
 
 /// Throw Error on a value out of range, before any work is done. The first one completes the name
 /// of a generated scene that lacks its seed.

@@ -31,15 +31,15 @@ void print(const PathTableOptions& options) {
 
 }  // namespace
 
-void declare_path_table(CLI::App& program, ExitCode& exit_code) {
+void declare_path_table(Program& program) {
   auto options = std::make_shared<PathTableOptions>();
-  auto* command = program.add_subcommand(
+  Command command = program.command(
       "path-table", "How large a table would be that says where beams part (4.3.2)");
-  declare_list(*command, "--n", options->sides, 2, 512, "Sides of the cube, in voxels");
-  command->add_flag("--rows", options->rows, "Print the tables: 0 straight on, 1 one outward");
-  command->callback([options, &exit_code] {
+  declare_list(command, "--n", options->sides, 2, 512, "Sides of the cube, in voxels");
+  command.flag("--rows", options->rows, "Print the tables: 0 straight on, 1 one outward");
+  command.run([options] {
     print(*options);
-    exit_code = kDone;
+    return kDone;
   });
 }
 

@@ -190,16 +190,15 @@ ExitCode measure_peers(const StageOptions& options) {
 
 }  // namespace
 
-void declare_peers(CLI::App& program, ExitCode& exit_code) {
+void declare_peers(Program& program) {
   auto options = std::make_shared<StageOptions>();
-  auto* command = program.add_subcommand(
+  Command command = program.command(
       "peers",
       "The same scenes, lights and errors as measure with what one would take instead: "
       "Embree, a walk through the voxels, a sweep over layers; OpenVDB for loading");
-  declare_stage_options(*command, *options);
-  command->callback([options, &exit_code] {
-    exit_code = within_memory(options->n, [&] { return measure_peers(*options); });
-  });
+  declare_stage_options(command, *options);
+  command.run(
+      [options] { return within_memory(options->n, [&] { return measure_peers(*options); }); });
 }
 
 }  // namespace rc2

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
 #include <new>
@@ -48,34 +49,35 @@ ExitCode parse_and_run(int argc, const char* const* argv) {
 
 }  // namespace
 
-void declare_all(CLI::App& program, ExitCode& exit_code) {
-  program.set_version_flag("--version", RC2_VERSION);
-  program.require_subcommand(0, 1);
-  declare_run(program, exit_code);
-  declare_voxelize(program, exit_code);
-  declare_compare(program, exit_code);
-  declare_lines(program, exit_code);
-  declare_tunnels(program, exit_code);
-  declare_leaks(program, exit_code);
-  declare_rounding(program, exit_code);
-  declare_loading(program, exit_code);
-  declare_load_speed(program, exit_code);
-  declare_virtual_image(program, exit_code);
-  declare_walk(program, exit_code);
-  declare_emission(program, exit_code);
-  declare_diffusion(program, exit_code);
-  declare_difference(program, exit_code);
-  declare_queues(program, exit_code);
-  declare_light_error(program, exit_code);
-  declare_measure(program, exit_code);
-  declare_peers(program, exit_code);
-  declare_render(program, exit_code);
-  declare_render_error(program, exit_code);
-  declare_choices(program, exit_code);
-  declare_path_table(program, exit_code);
-  declare_ray_traffic(program, exit_code);
-  declare_network(program, exit_code);
-  declare_thesis(program, exit_code);
+void declare_all(CLI::App& app, ExitCode& exit_code) {
+  app.set_version_flag("--version", RC2_VERSION);
+  app.require_subcommand(0, 1);
+  Program program(app, exit_code);
+  declare_run(program);
+  declare_voxelize(program);
+  declare_compare(program);
+  declare_lines(program);
+  declare_tunnels(program);
+  declare_leaks(program);
+  declare_rounding(program);
+  declare_loading(program);
+  declare_load_speed(program);
+  declare_virtual_image(program);
+  declare_walk(program);
+  declare_emission(program);
+  declare_diffusion(program);
+  declare_difference(program);
+  declare_queues(program);
+  declare_light_error(program);
+  declare_measure(program);
+  declare_peers(program);
+  declare_render(program);
+  declare_render_error(program);
+  declare_choices(program);
+  declare_path_table(program);
+  declare_ray_traffic(program);
+  declare_network(program);
+  declare_thesis(program);
 }
 
 ExitCode run_program(int argc, const char* const* argv) {

@@ -5,8 +5,9 @@
 
 namespace rc2 {
 
-/// Declares all commands and the options of the program itself.
-void declare_all(CLI::App& program, ExitCode& exit_code);
+/// Declares all commands and the options of the program itself; what a command returns goes to
+/// `exit_code`.
+void declare_all(CLI::App& app, ExitCode& exit_code);
 
 /// Does what the command line says. What the user can mend and what is broken it says in one line
 /// on stderr.

@@ -105,32 +105,25 @@ ExitCode draw_queues(const QueuesOptions& options) {
 
 }  // namespace
 
-void declare_queues(CLI::App& program, ExitCode& exit_code) {
+void declare_queues(Program& program) {
   auto options = std::make_shared<QueuesOptions>();
-  auto* command = program.add_subcommand(
+  Command command = program.command(
       "queues",
       "Draws how deep the queues are while a light aside spreads, L = 2n: a row for each time, a "
       "column for each scene and mode");
-  command->add_option("SCENE", options->scenes, "Files that Assimp reads, or generated scenes")
-      ->required();
-  command->add_option("--n", options->n, "Cells per side and voxels per column, 2 to 128")
-      ->check(CLI::Range(2, kSide))
-      ->capture_default_str();
-  command->add_option("--fa", options->fa, "Beams that a cell has room for, 1 to 64")
-      ->check(CLI::Range(1, 64))
-      ->capture_default_str();
-  command->add_option("--mode", options->modes, "How light spreads: fast, thesis")
-      ->delimiter(',')
-      ->check(CLI::IsMember({"fast", "thesis"}))
-      ->capture_default_str();
-  command->add_option("--times", options->times, "Cycles that are shown")
-      ->delimiter(',')
-      ->check(CLI::Range(std::int64_t{1}, std::int64_t{999'999}))
-      ->capture_default_str();
-  command->add_option("--out", options->out, "The file to write")
-      ->type_name("FILE.png")
-      ->required();
-  command->callback([options, &exit_code] { exit_code = draw_queues(*options); });
+  command.option("SCENE", options->scenes, "Files that Assimp reads, or generated scenes")
+      .required();
+  command.option("--n", options->n, "Cells per side and voxels per column, 2 to 128")
+      .within(2, kSide);
+  command.option("--fa", options->fa, "Beams that a cell has room for, 1 to 64").within(1, 64);
+  command.option("--mode", options->modes, "How light spreads: fast, thesis")
+      .list()
+      .one_of({"fast", "thesis"});
+  command.option("--times", options->times, "Cycles that are shown")
+      .list()
+      .within(std::int64_t{1}, std::int64_t{999'999});
+  command.option("--out", options->out, "The file to write").type("FILE.png").required();
+  command.run([options] { return draw_queues(*options); });
 }
 
 }  // namespace rc2

@@ -120,24 +120,21 @@ std::string to_csv(const std::vector<Row>& rows) {
 
 }  // namespace
 
-void declare_ray_traffic(CLI::App& program, ExitCode& exit_code) {
+void declare_ray_traffic(Program& program) {
   auto options = std::make_shared<RayTrafficOptions>();
-  auto* command = program.add_subcommand(
+  Command command = program.command(
       "ray-traffic", "Cycles that the cycle model takes to trace rays, and what holds them up");
-  declare_table_options(*command, *options,
+  declare_table_options(command, *options,
                         "Files that Assimp reads, or generated scenes: those of run");
-  declare_list(*command, "--depth", options->depths, 0, rays::kMaxDepth, "Bounces");
-  declare_list(*command, "--queue", options->queues, 1, 1024, "Places of each queue");
-  command->add_option("--looks", options->looks, "Looks of a cell")
-      ->delimiter(',')
-      ->check(CLI::IsMember({1, 2, 4}))
-      ->capture_default_str();
-  declare_list(*command, "--arithmetic", options->arithmetic, 1, 2,
+  declare_list(command, "--depth", options->depths, 0, rays::kMaxDepth, "Bounces");
+  declare_list(command, "--queue", options->queues, 1, 1024, "Places of each queue");
+  command.option("--looks", options->looks, "Looks of a cell").list().one_of({1, 2, 4});
+  declare_list(command, "--arithmetic", options->arithmetic, 1, 2,
                "Units of a cell in which rays begin, and as many in which they meet a plane");
-  declare_view(*command, options->view);
-  command->add_flag("--all-mirrors", options->all_mirrors, "Make every facet a perfect mirror");
-  command->callback([options, &exit_code] {
-    exit_code = make_table<Row>(
+  declare_view(command, options->view);
+  command.flag("--all-mirrors", options->all_mirrors, "Make every facet a perfect mirror");
+  command.run([options] {
+    return make_table<Row>(
         *options,
         [&](const std::string& scene, int n, ProgressBar& bar, std::vector<Row>& rows) {
           measure(scene, n, *options, bar, rows);

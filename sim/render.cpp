@@ -147,33 +147,26 @@ class Renderer {
 
 }  // namespace
 
-void declare_render(CLI::App& program, ExitCode& exit_code) {
+void declare_render(Program& program) {
   auto options = std::make_shared<RenderOptions>();
   options->n = 128;
   options->fraction_bits = kRenderFraction;
-  auto* command = program.add_subcommand(
+  Command command = program.command(
       "render", "Loads a scene, lights it, and follows reflected and refracted rays");
-  declare_scene_options(*command, *options);
-  declare_machine_options(*command, *options, "golden");
-  declare_lights(*command, options->lights);
-  declare_view(*command, options->view);
-  command->add_option("--depth", options->depth, "Bounces of a ray, at most")
-      ->check(CLI::Range(0, rays::kMaxDepth))
-      ->capture_default_str();
-  command
-      ->add_option("--least-weight", options->least_weight,
-                   "Share of its pixel that a ray must be worth to be followed, 0 to 1")
-      ->capture_default_str();
-  command->add_option("--queue", options->queue, "Places of each queue of the network (cycle, rtl)")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
-  command->add_flag("--progressive", options->progressive,
-                    "Write a picture after loading, with light, and after each bounce");
-  command->add_option("--out", options->out, "Folder of the pictures and report.json")
-      ->type_name("DIR")
-      ->capture_default_str();
-  command->callback([options, &exit_code] {
-    exit_code = within_memory(options->n, [&] {
+  declare_scene_options(command, *options);
+  declare_machine_options(command, *options, "golden");
+  declare_lights(command, options->lights);
+  declare_view(command, options->view);
+  command.option("--depth", options->depth, "Bounces of a ray, at most").within(0, rays::kMaxDepth);
+  command.option("--least-weight", options->least_weight,
+                 "Share of its pixel that a ray must be worth to be followed, 0 to 1");
+  command.option("--queue", options->queue, "Places of each queue of the network (cycle, rtl)")
+      .within(1, 1024);
+  command.flag("--progressive", options->progressive,
+               "Write a picture after loading, with light, and after each bounce");
+  command.option("--out", options->out, "Folder of the pictures and report.json").type("DIR");
+  command.run([options] {
+    return within_memory(options->n, [&] {
       check(*options);
       Outputs outputs;
       const ExitCode code = Renderer(*options, outputs).render();

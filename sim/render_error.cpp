@@ -180,18 +180,18 @@ std::string to_csv(const std::vector<Row>& rows) {
 
 }  // namespace
 
-void declare_render_error(CLI::App& program, ExitCode& exit_code) {
+void declare_render_error(Program& program) {
   auto options = std::make_shared<RenderErrorOptions>();
-  auto* command = program.add_subcommand(
+  Command command = program.command(
       "render-error",
       "Compares the rays and pictures of the golden model with the continuous scene (Embree)");
-  declare_table_options(*command, *options,
+  declare_table_options(command, *options,
                         "Files that Assimp reads, or generated scenes: those of run");
-  declare_list(*command, "--depth", options->depths, 0, rays::kMaxDepth,
+  declare_list(command, "--depth", options->depths, 0, rays::kMaxDepth,
                "Bounces of the pictures compared");
-  declare_view(*command, options->view);
-  command->callback([options, &exit_code] {
-    exit_code = make_table<Row>(
+  declare_view(command, options->view);
+  command.run([options] {
+    return make_table<Row>(
         *options,
         [&](const std::string& scene, int n, ProgressBar& bar, std::vector<Row>& rows) {
           measure(scene, n, *options, bar, rows);

@@ -8,13 +8,12 @@
 
 namespace rc2 {
 
-void declare_view(CLI::App& command, std::string& view) {
+void declare_view(Command& command, std::string& view) {
   command
-      .add_option("--view", view,
-                  "front: along -z, without perspective, a pixel is a column; camera: through "
-                  "the scene's camera")
-      ->check(CLI::IsMember({"front", "camera"}))
-      ->capture_default_str();
+      .option("--view", view,
+              "front: along -z, without perspective, a pixel is a column; camera: through "
+              "the scene's camera")
+      .one_of({"front", "camera"});
 }
 
 std::vector<Sight> sights_of(const scene::Scene& scene, const std::string& view, int n) {

@@ -1,11 +1,11 @@
 // What render and render-error have in common.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
 #include "sim/camera.h"
+#include "sim/command_line.h"
 #include "sim/job.h"
 
 namespace rc2 {
@@ -20,7 +20,7 @@ constexpr double kDefaultLeastWeight = 0.01;
 int weight_of(double share);
 
 /// --view: front, camera.
-void declare_view(CLI::App& command, std::string& view);
+void declare_view(Command& command, std::string& view);
 
 /// The picture's rays. Throws Error if a camera is asked for and there is none.
 std::vector<Sight> sights_of(const scene::Scene& scene, const std::string& view, int n);

@@ -179,26 +179,23 @@ ExitCode measure_rounding(const RoundingOptions& options) {
 
 }  // namespace
 
-void declare_rounding(CLI::App& program, ExitCode& exit_code) {
+void declare_rounding(Program& program) {
   auto options = std::make_shared<RoundingOptions>();
-  auto* command = program.add_subcommand(
+  Command command = program.command(
       "rounding", "Measures what coefficients of few bits do to a scene's voxels (chapter 3)");
   command
-      ->add_option("--n", options->sides,
-                   fmt::format("Sides of the cube, {} to {}", kSmallest, kLargest))
-      ->delimiter(',')
-      ->check(CLI::Range(kSmallest, kLargest))
-      ->capture_default_str();
+      .option("--n", options->sides,
+              fmt::format("Sides of the cube, {} to {}", kSmallest, kLargest))
+      .list()
+      .within(kSmallest, kLargest);
   const int exact = plane_bits(kMaxSide, kMaxFractionBits);
   command
-      ->add_option("--bits", options->bits,
-                   fmt::format("Bits W of a coefficient, sign included, 2 to {}", exact))
-      ->delimiter(',')
-      ->check(CLI::Range(2, exact))
-      ->capture_default_str();
-  command->add_option("--out", options->out, "Write the table to this CSV file")
-      ->type_name("FILE.csv");
-  command->callback([options, &exit_code] { exit_code = measure_rounding(*options); });
+      .option("--bits", options->bits,
+              fmt::format("Bits W of a coefficient, sign included, 2 to {}", exact))
+      .list()
+      .within(2, exact);
+  command.option("--out", options->out, "Write the table to this CSV file").type("FILE.csv");
+  command.run([options] { return measure_rounding(*options); });
 }
 
 }  // namespace rc2

@@ -133,16 +133,14 @@ ExitCode run(RunOptions options) {
 
 }  // namespace
 
-void declare_run(CLI::App& program, ExitCode& exit_code) {
+void declare_run(Program& program) {
   auto options = std::make_shared<RunOptions>();
-  auto* command = program.add_subcommand(
+  Command command = program.command(
       "run",
       "Loads a scene, lights it, checks the machine against the golden model and writes pictures "
       "and a report; exit code 0: done, 2: bad input, 3: the models disagree, 4: internal error");
-  declare_run_options(*command, *options);
-  command->callback([options, &exit_code] {
-    exit_code = within_memory(options->n, [&] { return run(*options); });
-  });
+  declare_run_options(command, *options);
+  command.run([options] { return within_memory(options->n, [&] { return run(*options); }); });
 }
 
 }  // namespace rc2

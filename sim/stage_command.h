@@ -1,8 +1,9 @@
 // What the benchmark's commands have in common: one scene, some lights, one table of BenchRow.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
+
+#include "sim/command_line.h"
 
 namespace rc2 {
 
@@ -15,6 +16,6 @@ struct StageOptions {
 };
 
 /// SCENE, --n, --fraction-bits, --lights and --out.
-void declare_stage_options(CLI::App& command, StageOptions& options);
+void declare_stage_options(Command& command, StageOptions& options);
 
 }  // namespace rc2

@@ -1,7 +1,6 @@
 // What commands have in common that measure scenes at several sizes and write a table.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
@@ -20,10 +19,10 @@ struct TableOptions {
 };
 
 /// SCENE, --n and --out; `scenes` says which are taken.
-void declare_table_options(CLI::App& command, TableOptions& options, const char* scenes);
+void declare_table_options(Command& command, TableOptions& options, const char* scenes);
 
 /// A list of numbers between commas.
-void declare_list(CLI::App& command, const char* name, std::vector<int>& list, int low, int high,
+void declare_list(Command& command, const char* name, std::vector<int>& list, int low, int high,
                   const char* help);
 
 /// Of every scene and side measure(scene, n, bar, rows), then print(rows); to_csv(rows) goes to the

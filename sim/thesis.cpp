@@ -32,6 +32,13 @@ const std::map<std::string, Table> kTables = {{"fa_max", Table::kFaMax},
 const std::map<std::string, Conflict> kConflicts = {{"head-waits", Conflict::kHeadWaits},
                                                     {"back-to-tail", Conflict::kBackToTail}};
 
+template <typename Value>
+std::vector<std::string> names(const std::map<std::string, Value>& values) {
+  std::vector<std::string> found;
+  for (const auto& [name, value] : values) found.push_back(name);
+  return found;
+}
+
 struct ThesisOptions {
   std::string table;
   bool snapshots = false;
@@ -101,38 +108,33 @@ void write_snapshots(const ThesisOptions& options) {
 
 }  // namespace
 
-void declare_thesis(CLI::App& program, ExitCode& exit_code) {
+void declare_thesis(Program& program) {
   auto options = std::make_shared<ThesisOptions>();
-  auto* command = program.add_subcommand(
+  Command command = program.command(
       "thesis", "Repeats the simulations of the thesis (4.4.3) on its own coarse simulator");
-  auto* what = command->add_option_group("what")->require_option(1);
-  auto* table =
-      what->add_option("--table", options->table,
-                       "A table as CSV: fa_max, fa1, fa_sweep, or modes (rays one by one against "
-                       "beams, 4.2.6)")
-          ->check(CLI::IsMember(kTables));
-  auto* snapshots =
-      what->add_flag("--snapshots", options->snapshots,
-                     "A PNG of the voxels reached and the cells at work, light in the centre");
-  command->add_option("--n", options->n, "Sides of the cube: N, or A..B for a table")
-      ->capture_default_str();
-  command->add_option("--fa", options->fa,
-                      "Depth of the queues: F for snapshots, A..B for the table fa_sweep");
+  Command what = command.choice("what");
+  const Option table =
+      what.option("--table", options->table,
+                  "A table as CSV: fa_max, fa1, fa_sweep, or modes (rays one by one against "
+                  "beams, 4.2.6)")
+          .one_of(names(kTables));
+  what.flag("--snapshots", options->snapshots,
+            "A PNG of the voxels reached and the cells at work, light in the centre");
+  command.option("--n", options->n, "Sides of the cube: N, or A..B for a table");
+  command.option("--fa", options->fa,
+                 "Depth of the queues: F for snapshots, A..B for the table fa_sweep");
   command
-      ->add_option("--conflict", options->conflict,
-                   "What a beam does while a receiving cell is full: head-waits or back-to-tail")
-      ->check(CLI::IsMember(kConflicts))
-      ->capture_default_str();
+      .option("--conflict", options->conflict,
+              "What a beam does while a receiving cell is full: head-waits or back-to-tail")
+      .one_of(names(kConflicts));
   command
-      ->add_option("--times", options->times,
-                   "Cycles after which a snapshot is taken, besides the end")
-      ->delimiter(',')
-      ->excludes(table)
-      ->capture_default_str();
-  command->add_option("--out", options->out, "The file to write")->required();
-  command->callback([options, snapshots, &exit_code] {
-    *snapshots ? write_snapshots(*options) : write_table(*options);
-    exit_code = kDone;
+      .option("--times", options->times, "Cycles after which a snapshot is taken, besides the end")
+      .list()
+      .excludes(table);
+  command.option("--out", options->out, "The file to write").required();
+  command.run([options] {
+    options->snapshots ? write_snapshots(*options) : write_table(*options);
+    return kDone;
   });
 }
 

@@ -127,10 +127,10 @@ ExitCode print_tunnels() {
 
 }  // namespace
 
-void declare_tunnels(CLI::App& program, ExitCode& exit_code) {
-  auto* command = program.add_subcommand(
+void declare_tunnels(Program& program) {
+  Command command = program.command(
       "tunnels", "Searches which discrete rays pass which surfaces: thesis figures 2.9 and 2.11");
-  command->callback([&exit_code] { exit_code = print_tunnels(); });
+  command.run([] { return print_tunnels(); });
 }
 
 }  // namespace rc2

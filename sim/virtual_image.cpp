@@ -190,19 +190,18 @@ std::string to_csv(const std::vector<Row>& rows, const std::vector<int>& sides) 
 
 }  // namespace
 
-void declare_virtual_image(CLI::App& program, ExitCode& exit_code) {
+void declare_virtual_image(Program& program) {
   struct Options {
     std::vector<int> sides = {24, 48, 96};
     std::string out;
   };
   auto options = std::make_shared<Options>();
-  auto* command = program.add_subcommand(
+  Command command = program.command(
       "virtual-image",
       "Where the light of a point seems to come from that a mirror of voxels reflects (5.5.4)");
-  declare_list(*command, "--n", options->sides, 16, 256, "Sides of the cube, in voxels");
-  command->add_option("--out", options->out, "Write rays and points to this CSV file")
-      ->type_name("FILE.csv");
-  command->callback([options, &exit_code] {
+  declare_list(command, "--n", options->sides, 16, 256, "Sides of the cube, in voxels");
+  command.option("--out", options->out, "Write rays and points to this CSV file").type("FILE.csv");
+  command.run([options] {
     Outputs outputs;
     if (!options->out.empty()) outputs.add_file(options->out);
     std::vector<Row> rows;
@@ -213,7 +212,7 @@ void declare_virtual_image(CLI::App& program, ExitCode& exit_code) {
     print(rows);
     if (!options->out.empty()) replace_file(options->out, to_csv(rows, options->sides));
     outputs.keep();
-    exit_code = kDone;
+    return kDone;
   });
 }
 

@@ -82,20 +82,17 @@ ExitCode voxelize(VoxelizeOptions options) {
 
 }  // namespace
 
-void declare_voxelize(CLI::App& program, ExitCode& exit_code) {
+void declare_voxelize(Program& program) {
   auto options = std::make_shared<VoxelizeOptions>();
-  auto* command =
-      program.add_subcommand("voxelize", "Loads a scene without lighting it and counts its voxels");
-  declare_scene_options(*command, *options);
-  declare_machine_options(*command, *options, "golden");
+  Command command =
+      program.command("voxelize", "Loads a scene without lighting it and counts its voxels");
+  declare_scene_options(command, *options);
+  declare_machine_options(command, *options, "golden");
   command
-      ->add_option("--layers", options->layers,
-                   "one: what the facets fill; all: also what is shown, inside solids and guards")
-      ->check(CLI::IsMember({"one", "all"}))
-      ->capture_default_str();
-  command->callback([options, &exit_code] {
-    exit_code = within_memory(options->n, [&] { return voxelize(*options); });
-  });
+      .option("--layers", options->layers,
+              "one: what the facets fill; all: also what is shown, inside solids and guards")
+      .one_of({"one", "all"});
+  command.run([options] { return within_memory(options->n, [&] { return voxelize(*options); }); });
 }
 
 }  // namespace rc2

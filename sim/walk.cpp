@@ -55,25 +55,23 @@ ExitCode walk(SceneOptions options) {
 
 }  // namespace
 
-void declare_walk(CLI::App& program, ExitCode& exit_code) {
+void declare_walk(Program& program) {
   auto options = std::make_shared<SceneOptions>();
-  auto* command = program.add_subcommand(
+  Command command = program.command(
       "walk", "Follows the words of a few facets through the array while it loads (chapter 3)");
-  command->add_option("SCENE", options->scene, "A file in voxel coordinates, or a generated scene")
-      ->required();
+  command.option("SCENE", options->scene, "A file in voxel coordinates, or a generated scene")
+      .required();
   options->n = 8;
   options->fit = "none";
-  command->add_option("--n", options->n, "Cells per side and voxels per column")
-      ->check(CLI::Range(2, kLargest))
-      ->capture_default_str();
-  command->add_option("--feeders", options->feeders,
-                      "Row feeders, a power of two (default: 1 for n < 8, then n / 4, at most 16)");
+  command.option("--n", options->n, "Cells per side and voxels per column").within(2, kLargest);
+  command.option("--feeders", options->feeders,
+                 "Row feeders, a power of two (default: 1 for n < 8, then n / 4, at most 16)");
   command
-      ->add_option("--out", options->dump,
-                   "Write every stage that is busy, in every cycle, to this CSV file")
-      ->type_name("FILE.csv")
-      ->required();
-  command->callback([options, &exit_code] { exit_code = walk(*options); });
+      .option("--out", options->dump,
+              "Write every stage that is busy, in every cycle, to this CSV file")
+      .type("FILE.csv")
+      .required();
+  command.run([options] { return walk(*options); });
 }
 
 }  // namespace rc2

@@ -70,7 +70,8 @@ int sc_main(int argc, char** argv) {
   sc_core::sc_report_handler::set_actions(sc_core::SC_INFO, sc_core::SC_DO_NOTHING);
   rc2::RunOptions options;
   CLI::App program("RC2 behind a TLM-2.0 target in a small virtual platform: what `rc2 run` does");
-  rc2::declare_run_options(program, options);
+  rc2::Command command(&program);
+  rc2::declare_run_options(command, options);
   try {
     program.parse(argc, argv);
     return rc2::render(options);

@@ -1,6 +1,7 @@
 // Any command line made of the program's own words and of values that options may or may not take.
 // Whatever comes, the program ends, says at most that the input is bad, and then leaves no file
 // behind. Sizes are kept small: this looks for wrong answers, not for long ones.
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
