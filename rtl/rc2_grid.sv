@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// n x n cells with light in lanes, each linked to its eight neighbours, and what they share: the
-// pace of the light, and for each column and row the classes of its targets (rc2_axis). Around the
-// cells lies a border of ties, so that every cell is connected by the same lines.
+// n rows of n cells with light in lanes, each row linked to the next ones, and what the cells share:
+// the pace of the light, and for each column and row the classes of its targets (rc2_axis). Around
+// them lies a border of ties, so that every cell is connected by the same lines.
 
 module rc2_grid (
     input  logic                                clk_i,
@@ -35,12 +35,11 @@ module rc2_grid (
   localparam int unsigned RowWordW = rc2_pkg::RowWordW;
   localparam int unsigned M = rc2_pkg::ClassM;
   localparam int unsigned ClassW = rc2_pkg::ClassW;
+  localparam int unsigned CutW = rc2_pkg::CutW;
+  localparam int unsigned RoomW = rc2_pkg::RoomW;
+  localparam int unsigned SpokenW = rc2_pkg::SpokenW;
   localparam int unsigned DistanceW = rc2_pkg::DistanceW;
-  localparam int unsigned MatrixW = rc2_pkg::MatrixW;
-  localparam int unsigned ReachW = rc2_pkg::ReachW;
   localparam int unsigned WeightsW = rc2_pkg::WeightsW;
-  localparam int unsigned LinkW = rc2_pkg::LinkW;
-  localparam int unsigned LinkRoomW = rc2_pkg::LinkRoomW;
 
   // ---- What the cells share ------------------------------------------------------------------
   rc2_pkg::pace_t pace;
@@ -110,174 +109,63 @@ module rc2_grid (
     end
   end
 
-  // ---- Cells: g[y+1].c[x+1] is cell (x,y); rows and columns 0 and n+1 are the border ---------
-  for (genvar y = 0; y < N + 2; y++) begin : g
-    for (genvar x = 0; x < N + 2; x++) begin : c
-      /*verilator tracing_off*/  // the cells' ports show the same
-      logic [7:0] v, r;  // side lane: valid out, room out
-      rc2_pkg::lane_t s, d;  // straight, diagonal
-      logic [MatrixW-1:0] zx, zy, zd;
-      logic [HomeW-1:0] home, skipped;
-      logic [3:0] quadrants;
-      logic [ReachW-1:0] reach;
-      logic [LinkW-1:0] ray0, ray1, ray2, ray3;  // by the way that a message goes: E W N S
-      logic [4*LinkRoomW-1:0] ray_room;
-      logic wv, wr, busy;  // word to the east, ready to the west
-      logic [RowWordW-1:0] w;
-      /*verilator tracing_on*/
-
-      if (x == 0 || x == N + 1 || y == 0 || y == N + 1) begin : t
-        assign v = 8'd0;
-        assign r = 8'd0;
-        assign s = '0;
-        assign d = '0;
-        assign zx = '0;
-        assign zy = '0;
-        assign zd = '0;
-        assign home = '0;
-        assign skipped = '0;
-        assign quadrants = '0;
-        assign reach = rc2_pkg::NoReach;
-        assign busy = 1'b0;
-        assign ray0 = '0;
-        assign ray1 = '0;
-        assign ray2 = '0;
-        assign ray3 = '0;
-        assign ray_room = '0;
-        if (x == 0 && y >= 1 && y <= N) begin : feed  // row y-1 starts here
-          assign wv = west_valid_i[y-1];
-          assign w = west_word_i[(y-1)*RowWordW+:RowWordW];
-        end else begin : still
-          assign wv = 1'b0;
-          assign w = '0;
-        end
-        if (x == N + 1 && y >= 1 && y <= N) begin : collect
-          assign wr = east_ready_i[y-1];
-        end else begin : closed
-          assign wr = 1'b0;
-        end
-      end else begin : n
-        rc2_cell u_cell (
-            .clk_i       (clk_i),
-            .rst_ni      (rst_ni),
-            .x_i         (CoordW'(x - 1)),
-            .y_i         (CoordW'(y - 1)),
-            .clear_i     (clear_i),
-            .prepare_i   (prepare_i),
-            .start_i     (start_i),
-            .accurate_i  (accurate_i),
-            .light_i     (light_i),
-            .ray_clear_i (ray_clear_i),
-            .ray_start_i (ray_start_i),
-            .limits_i    (limits_i),
-            .word_valid_i(g[y].c[x-1].wv),
-            .word_i      (g[y].c[x-1].w),
-            .word_ready_o(wr),
-            .word_valid_o(wv),
-            .word_o      (w),
-            .word_ready_i(g[y].c[x+1].wr),
-            .pace_i      (pace),
-            .x_cut_i     (a[0].p[x].cut),
-            .y_cut_i     (a[1].p[y].cut),
-            .x_come_i    (a[0].p[x].come),
-            .y_come_i    (a[1].p[y].come),
-            .x_all_i     (a[0].p[x].all),
-            .x_kept_i    (a[0].p[x].kept),
-            .y_all_i     (a[1].p[y].all),
-            .y_kept_i    (a[1].p[y].kept),
-            // What the neighbour in direction d sends in the opposite direction.
-            .side_valid_i({
-              g[y-1].c[x+1].v[3],
-              g[y-1].c[x].v[2],
-              g[y-1].c[x-1].v[1],
-              g[y].c[x-1].v[0],
-              g[y+1].c[x-1].v[7],
-              g[y+1].c[x].v[6],
-              g[y+1].c[x+1].v[5],
-              g[y].c[x+1].v[4]
-            }),
-            .side_room_o (r),
-            .side0_i     (g[y].c[x+1].s),
-            .side1_i     (g[y+1].c[x+1].d),
-            .side2_i     (g[y+1].c[x].s),
-            .side3_i     (g[y+1].c[x-1].d),
-            .side4_i     (g[y].c[x-1].s),
-            .side5_i     (g[y-1].c[x-1].d),
-            .side6_i     (g[y-1].c[x].s),
-            .side7_i     (g[y-1].c[x+1].d),
-            .side_valid_o(v),
-            .side_room_i ({
-              g[y-1].c[x+1].r[3],
-              g[y-1].c[x].r[2],
-              g[y-1].c[x-1].r[1],
-              g[y].c[x-1].r[0],
-              g[y+1].c[x-1].r[7],
-              g[y+1].c[x].r[6],
-              g[y+1].c[x+1].r[5],
-              g[y].c[x+1].r[4]
-            }),
-            .straight_o  (s),
-            .diagonal_o  (d),
-            .z0_i        (g[y].c[x+1].zx),
-            .z1_i        (g[y+1].c[x+1].zd),
-            .z2_i        (g[y+1].c[x].zy),
-            .z3_i        (g[y+1].c[x-1].zd),
-            .z4_i        (g[y].c[x-1].zx),
-            .z5_i        (g[y-1].c[x-1].zd),
-            .z6_i        (g[y-1].c[x].zy),
-            .z7_i        (g[y-1].c[x+1].zd),
-            .z_x_o       (zx),
-            .z_y_o       (zy),
-            .z_xy_o      (zd),
-            .quadrants_e_i({g[y].c[x+1].quadrants[3], g[y].c[x+1].quadrants[0]}),
-            .quadrants_n_i({g[y+1].c[x].quadrants[1], g[y+1].c[x].quadrants[0]}),
-            .quadrants_w_i({g[y].c[x-1].quadrants[2], g[y].c[x-1].quadrants[1]}),
-            .quadrants_s_i({g[y-1].c[x].quadrants[3], g[y-1].c[x].quadrants[2]}),
-            .quadrants_o (quadrants),
-            .reach0_i    (g[y].c[x+1].reach),
-            .reach1_i    (g[y+1].c[x+1].reach),
-            .reach2_i    (g[y+1].c[x].reach),
-            .reach3_i    (g[y+1].c[x-1].reach),
-            .reach4_i    (g[y].c[x-1].reach),
-            .reach5_i    (g[y-1].c[x-1].reach),
-            .reach6_i    (g[y-1].c[x].reach),
-            .reach7_i    (g[y-1].c[x+1].reach),
-            .reach_o     (reach),
-            .ray0_i      (g[y].c[x-1].ray0),
-            .ray1_i      (g[y].c[x+1].ray1),
-            .ray2_i      (g[y-1].c[x].ray2),
-            .ray3_i      (g[y+1].c[x].ray3),
-            .ray_room_o  (ray_room),
-            .ray0_o      (ray0),
-            .ray1_o      (ray1),
-            .ray2_o      (ray2),
-            .ray3_o      (ray3),
-            .ray_room_i  ({
-              g[y-1].c[x].ray_room[3*LinkRoomW+:LinkRoomW],
-              g[y+1].c[x].ray_room[2*LinkRoomW+:LinkRoomW],
-              g[y].c[x-1].ray_room[LinkRoomW+:LinkRoomW],
-              g[y].c[x+1].ray_room[0+:LinkRoomW]
-            }),
-            .home_i      (g[y].c[x+1].home),
-            .home_o      (home),
-            .skipped_i   (g[y].c[x+1].skipped),
-            .skipped_o   (skipped),
-            .busy_o      (busy)
-        );
-      end
-    end
+  logic [N*CutW-1:0] x_cut;
+  logic [N*ClassW-1:0] x_come;
+  logic [N*WeightsW-1:0] x_all, x_kept;
+  for (genvar x = 0; x < N; x++) begin : g_columns
+    assign x_cut[x*CutW+:CutW] = a[0].p[x+1].cut;
+    assign x_come[x*ClassW+:ClassW] = a[0].p[x+1].come;
+    assign x_all[x*WeightsW+:WeightsW] = a[0].p[x+1].all;
+    assign x_kept[x*WeightsW+:WeightsW] = a[0].p[x+1].kept;
   end
 
-  for (genvar y = 0; y < N; y++) begin : g_row
-    logic [N-1:0] cells_busy;
-    for (genvar x = 0; x < N; x++) begin : g_busy
-      assign cells_busy[x] = g[y+1].c[x+1].busy;
+  // ---- Rows: g[y+1] is row y; 0 and n+1 are the border ---------------------------------------
+  for (genvar y = 0; y < N + 2; y++) begin : g
+    /*verilator tracing_off*/  // the cells' ports show the same
+    logic [N*SpokenW-1:0] spoken;
+    logic [N*RoomW-1:0] room;
+    /*verilator tracing_on*/
+    if (y == 0 || y == N + 1) begin : t
+      assign spoken = {N{rc2_pkg::Silence}};
+      assign room = '0;
+    end else begin : n
+      rc2_row u_row (
+          .clk_i       (clk_i),
+          .rst_ni      (rst_ni),
+          .y_i         (CoordW'(y - 1)),
+          .clear_i     (clear_i),
+          .prepare_i   (prepare_i),
+          .start_i     (start_i),
+          .accurate_i  (accurate_i),
+          .light_i     (light_i),
+          .ray_clear_i (ray_clear_i),
+          .ray_start_i (ray_start_i),
+          .limits_i    (limits_i),
+          .west_valid_i(west_valid_i[y-1]),
+          .west_word_i (west_word_i[(y-1)*RowWordW+:RowWordW]),
+          .west_ready_o(west_ready_o[y-1]),
+          .east_valid_o(east_valid_o[y-1]),
+          .east_word_o (east_word_o[(y-1)*RowWordW+:RowWordW]),
+          .east_ready_i(east_ready_i[y-1]),
+          .home_o      (home_o[(y-1)*HomeW+:HomeW]),
+          .skipped_o   (skipped_o[(y-1)*HomeW+:HomeW]),
+          .busy_o      (busy_o[y-1]),
+          .pace_i      (pace),
+          .x_cut_i     (x_cut),
+          .x_come_i    (x_come),
+          .x_all_i     (x_all),
+          .x_kept_i    (x_kept),
+          .y_cut_i     (a[1].p[y].cut),
+          .y_come_i    (a[1].p[y].come),
+          .y_all_i     (a[1].p[y].all),
+          .y_kept_i    (a[1].p[y].kept),
+          .north_i     (g[y+1].spoken),
+          .south_i     (g[y-1].spoken),
+          .north_room_i(g[y+1].room),
+          .south_room_i(g[y-1].room),
+          .spoken_o    (spoken),
+          .room_o      (room)
+      );
     end
-    assign west_ready_o[y] = g[y+1].c[1].wr;
-    assign east_valid_o[y] = g[y+1].c[N].wv;
-    assign east_word_o[y*RowWordW+:RowWordW] = g[y+1].c[N].w;
-    assign home_o[y*HomeW+:HomeW] = g[y+1].c[1].home;
-    assign skipped_o[y*HomeW+:HomeW] = g[y+1].c[1].skipped;
-    assign busy_o[y] = (cells_busy != 0);
   end
 endmodule

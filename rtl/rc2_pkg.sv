@@ -263,6 +263,7 @@ package rc2_pkg;
     logic [DistanceW-1:0] distance;  // L
     logic [QueueW-1:0]    fa;        // places of the queue in use, 1 .. FAMAX
   } light_t;
+  localparam int unsigned LightW = SlopeW + 3 * CoordW + DistanceW + QueueW;
 
   // ---- Light in lanes ------------------------------------------------------------------------
   // Longest list of classes of one axis (sw/cycle/classes.h): the largest L that needs no more than
@@ -293,6 +294,7 @@ package rc2_pkg;
     logic              down;  // some leave towards lower coordinates
     logic              up;
   } cut_t;
+  localparam int unsigned CutW = 3 * ClassW + 2;
 
   // Tilt of a ray, layers up or down for each cell outward (rc2_extents): with CoordW + 1 bits of
   // fraction a bound is off by less than half a layer 2N-1 half cells away; 8 and more are all ones.
@@ -330,6 +332,7 @@ package rc2_pkg;
     logic [RatioW-1:0] ratio;
     logic [SlopeW-1:0] slope;
   } pace_t;
+  localparam int unsigned PaceW = 5 + 2 * CountW + CoordW + RatioW + SlopeW;
 
   // ---- Rays ----------------------------------------------------------------------------------
   localparam int unsigned WayW = CoordW + PlaceFracW + 1;    // from a place to a side, 0 .. N voxels
@@ -492,6 +495,12 @@ package rc2_pkg;
   localparam int unsigned MessageW = 32 * ((LongerW + 31) / 32);
   localparam int unsigned LinkRoomW = 6;  // rays of each quadrant {south, west}, answers, starts
   localparam int unsigned LinkW = RAYS ? LinkRoomW + MessageW : 1;
+
+  // What a cell says to those of the next rows (rc2_row), its reach in front, where a border says
+  // nothing; and, apart, for it depends on nothing that is said, what it has room for.
+  localparam int unsigned SpokenW = ReachW + 12 + 2 * LaneW + 2 * MatrixW + 2 * LinkW;
+  localparam int unsigned RoomW = 8 + 4 * LinkRoomW;
+  localparam logic [SpokenW-1:0] Silence = SpokenW'(NoReach) << (SpokenW - ReachW);
 
   // What a home keeps of each ray of its tree, and how many words of readback that is.
   localparam int unsigned HitW = StartW - 2 * CoordW + EndW;

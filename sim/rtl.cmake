@@ -14,7 +14,7 @@ foreach(level parts load light lanes rays net)
   file(GLOB modules CONFIGURE_DEPENDS ${RC2_RTL_FOLDER}/${level}/*.sv)
   list(APPEND RC2_RTL_SOURCES ${modules})
 endforeach()
-foreach(module limits column voxels cell cell_thesis grid grid_thesis array machine)
+foreach(module limits column voxels cell cell_thesis row grid grid_thesis array machine)
   list(APPEND RC2_RTL_SOURCES ${RC2_RTL_FOLDER}/rc2_${module}.sv)
 endforeach()
 set(RC2_VERILATED_GLUE ${PROJECT_SOURCE_DIR}/sim/verilated_machine.cpp
@@ -40,8 +40,8 @@ endif()
 # switched on. Cells share what C++ is the same for all of them, function by function: so there are no
 # data-flow graphs and no tables, for what Verilator finds in them differs from cell to cell, and functions
 # are short. Files are long, for each reads the headers of all cells again.
-set(RC2_VERILATOR_FLAGS -Wall -O3 -fno-dfg -fno-table --trace-fst --trace-structs
-                        --output-split 80000 --output-split-cfuncs 1000)
+set(RC2_VERILATOR_FLAGS -Wall -O3 -fno-dfg -fno-table --output-split 80000 --output-split-cfuncs 1000)
+set(RC2_WAVES --trace-fst --trace-structs)
 # An assertion knows its place in the hierarchy, so that its function is not shared: only the small arrays
 # have them, and the points.
 set(RC2_ASSERTED_UP_TO 5)
@@ -50,6 +50,16 @@ set(RC2_VERILATED_MAKE OPT_FAST=-O1 OPT_SLOW=-O0)
 if(CCACHE)
   list(APPEND RC2_VERILATED_MAKE OBJCACHE=ccache)
 endif()
+
+# With rays Verilator has 6 GB of an array of n = 16, and more than 40 of one of n = 32. From this size on they are
+# Verilated by rows: one row once, as a library of which the array makes n calls. That takes a minute and runs at
+# a quarter of the speed; there are no waves.
+set(RC2_BY_ROWS_FROM 32)
+file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/rtl/rows.vlt CONTENT [[
+`verilator_config
+hier_block -module "rc2_row"
+clocker -module "rc2_row" -var "clk_i"
+]] @ONLY)
 
 # The rules without those that keep one body for all cells, for scripts/bench-rtl to compare with.
 file(READ ${RC2_RTL_FOLDER}/rc2.vlt flat)
@@ -73,21 +83,29 @@ function(rc2_add_rtl name n)
   if(name MATCHES "^flat_")
     list(TRANSFORM rules REPLACE ".*/rc2.vlt" ${CMAKE_BINARY_DIR}/rtl/flat.vlt)
   endif()
+  set(how ${RC2_WAVES})
+  set(makefile Vrc2_machine.mk)
+  if(name MATCHES "^rays_" AND n GREATER_EQUAL RC2_BY_ROWS_FROM)
+    # To the array a row is one function of all that enters it: loops everywhere.
+    set(how --hierarchical -Wno-UNOPTFLAT)
+    set(makefile Vrc2_machine_hier.mk)
+    list(PREPEND rules ${CMAKE_BINARY_DIR}/rtl/rows.vlt)
+  endif()
   set(folder ${CMAKE_BINARY_DIR}/rtl/${name})
   set(library ${CMAKE_BINARY_DIR}/rtl/librc2_rtl_${name}.so)
   add_custom_command(
     OUTPUT ${library}
     COMMAND ${CMAKE_COMMAND} -E rm -rf ${folder}
     COMMAND
-      ${VERILATOR} --cc --exe ${RC2_VERILATOR_FLAGS} --x-assign fast --x-initial fast -DRC2_N=${n} ${defines}
+      ${VERILATOR} --cc --exe ${RC2_VERILATOR_FLAGS} ${how} --x-assign fast --x-initial fast -DRC2_N=${n} ${defines}
       --top-module rc2_machine ${rules} ${RC2_RTL_SOURCES} ${checks} --Mdir ${folder} -o ${library}
       -CFLAGS "-std=c++17 -fPIC -I${PROJECT_SOURCE_DIR}" -LDFLAGS "-shared -lfmt"
       ${RC2_VERILATED_GLUE}
-    COMMAND make --silent --no-print-directory -j2 -C ${folder} -f Vrc2_machine.mk ${make_words} > ${folder}.log
+    COMMAND make --silent --no-print-directory -j2 -C ${folder} -f ${makefile} ${make_words} > ${folder}.log
     DEPENDS ${RC2_RTL_SOURCES} ${RC2_RTL_RULES} ${RC2_VERILATED_GLUE}
             ${PROJECT_SOURCE_DIR}/sw/machine/host_port.h ${PROJECT_SOURCE_DIR}/sw/machine/host_word.h ${PROJECT_SOURCE_DIR}/sw/machine/plane.h ${PROJECT_SOURCE_DIR}/sw/machine/readback.h
             ${PROJECT_SOURCE_DIR}/sim/coverage.h ${PROJECT_SOURCE_DIR}/sim/rtl_machine.h ${RC2_RTL_POINTS}
-            ${PROJECT_SOURCE_DIR}/sim/queue_watch.h ${PROJECT_SOURCE_DIR}/sim/wave_list.h
+            ${PROJECT_SOURCE_DIR}/sim/queue_watch.h ${PROJECT_SOURCE_DIR}/sim/wave_list.h ${PROJECT_SOURCE_DIR}/sim/wave_writer.h
             ${PROJECT_SOURCE_DIR}/sw/machine/machine.h ${PROJECT_SOURCE_DIR}/sw/machine/queue_history.h ${PROJECT_SOURCE_DIR}/sw/machine/claim.h
             ${PROJECT_SOURCE_DIR}/sw/machine/checks.h ${PROJECT_SOURCE_DIR}/sw/machine/feeder.h ${PROJECT_SOURCE_DIR}/sw/machine/word.h
             ${PROJECT_SOURCE_DIR}/sw/machine/ray_job.h ${PROJECT_SOURCE_DIR}/sw/machine/ray_words.h ${PROJECT_SOURCE_DIR}/sw/rays/format.h ${PROJECT_SOURCE_DIR}/sw/rays/ray.h

@@ -2,7 +2,6 @@
 // Compiled once per n into librc2_rtl_n<N>.so together with what Verilator wrote.
 #include <fmt/format.h>
 #include <verilated.h>
-#include <verilated_fst_c.h>
 
 #include <algorithm>
 #include <cstring>
@@ -16,6 +15,7 @@
 #include "sim/queue_watch.h"
 #include "sim/rtl_machine.h"
 #include "sim/wave_list.h"
+#include "sim/wave_writer.h"
 #include "sw/machine/checks.h"
 #include "sw/machine/feeder.h"
 #include "sw/machine/host_port.h"
@@ -59,7 +59,7 @@ class VerilatedMachine final : public Machine {
   }
 
   ~VerilatedMachine() override {
-    if (tracing_) trace_.close();
+    writer_.close();
     top_.final();
     hand_in_coverage(context_);
   }
@@ -226,38 +226,23 @@ class VerilatedMachine final : public Machine {
   void half(bool high) {
     top_.clk_i = high ? 1 : 0;
     top_.eval();
-    if (tracing_)
-      trace_.dump(static_cast<std::uint64_t>(cycle_ * kWaveTimePerCycle +
-                                             (high ? 0 : kWaveTimePerCycle / 2)));
+    if (writer_.is_open())
+      writer_.dump(cycle_ * kWaveTimePerCycle + (high ? 0 : kWaveTimePerCycle / 2));
   }
 
   /// One clock cycle. Inputs set before are seen by its rising edge; outputs read after are what
   /// the registers hold then.
   void tick() {
-    if (!waves_.path.empty() && cycle_ == waves_.from) open_waves();
+    if (!waves_.path.empty() && cycle_ == waves_.from) writer_.open(top_, waves_.path);
     half(true);
     half(false);
     ++cycle_;
     if (observer_ && lighting_) observer_(cycle_, queues_->depths());
-    if (tracing_ && cycle_ == waves_.from + waves_.cycles) {
-      trace_.close();
-      tracing_ = false;
-    }
+    if (cycle_ == waves_.from + waves_.cycles) writer_.close();
   }
 
   void step(int cycles) {
     for (int i = 0; i < cycles; ++i) tick();
-  }
-
-  void open_waves() {
-    context_.traceEverOn(true);
-    top_.trace(&trace_, 99);
-    trace_.open(waves_.path.c_str());
-    if (!trace_.isOpen()) {
-      throw Error(waves_.path +
-                  ": the waveform cannot be written; name a file in a folder that exists");
-    }
-    tracing_ = true;
   }
 
   MachineConfig reset_and_identify() {
@@ -434,8 +419,7 @@ class VerilatedMachine final : public Machine {
 
   VerilatedContext context_;
   Vrc2_machine top_;
-  VerilatedFstC trace_;
-  bool tracing_ = false;
+  WaveWriter writer_;
   bool waves_listed_ = false;
   bool lighting_ = false;
   QueueObserver observer_;

@@ -78,10 +78,12 @@ void list_cell(SaveFile& list, const MachineConfig& config, int x, int y, const 
 
 }  // namespace
 
-// Cell (x,y) is g[y+1].c[x+1] in rtl/rc2_grid.sv and rtl/rc2_grid_thesis.sv.
+// Cell (x,y) is c[x+1] of rtl/rc2_row.sv in g[y+1] of rtl/rc2_grid.sv, or of g[y+1] in
+// rtl/rc2_grid_thesis.sv.
 std::string cell_scope(const MachineConfig& config, int x, int y) {
-  return fmt::format("rc2.rc2_machine.u_array.{}.u_grid.g[{}].c[{}].n.u_cell",
-                     config.mode == LightMode::thesis ? 'm' : 'l', y + 1, x + 1);
+  const bool thesis = config.mode == LightMode::thesis;
+  return fmt::format("rc2.rc2_machine.u_array.{}.u_grid.g[{}].{}c[{}].n.u_cell", thesis ? 'm' : 'l',
+                     y + 1, thesis ? "" : "n.u_row.", x + 1);
 }
 
 void write_wave_list(const std::string& waves, const MachineConfig& config, glm::ivec3 source,

@@ -76,17 +76,17 @@ module lanes_light_ends #(
   // ---- Any one target ----------------------------------------------------------------------------
   // Voxels as {y, x, z}.
   (* hierconn *) wire [1:0]
-      \u_grid.g[1].c[1].n.u_cell.u_voxels.occupied , \u_grid.g[1].c[2].n.u_cell.u_voxels.occupied ,
-      \u_grid.g[2].c[1].n.u_cell.u_voxels.occupied , \u_grid.g[2].c[2].n.u_cell.u_voxels.occupied ,
-      \u_grid.g[1].c[1].n.u_cell.u_lit.lit_q , \u_grid.g[1].c[2].n.u_cell.u_lit.lit_q ,
-      \u_grid.g[2].c[1].n.u_cell.u_lit.lit_q , \u_grid.g[2].c[2].n.u_cell.u_lit.lit_q ;
+      \u_grid.g[1].n.u_row.c[1].n.u_cell.u_voxels.occupied , \u_grid.g[1].n.u_row.c[2].n.u_cell.u_voxels.occupied ,
+      \u_grid.g[2].n.u_row.c[1].n.u_cell.u_voxels.occupied , \u_grid.g[2].n.u_row.c[2].n.u_cell.u_voxels.occupied ,
+      \u_grid.g[1].n.u_row.c[1].n.u_cell.u_lit.lit_q , \u_grid.g[1].n.u_row.c[2].n.u_cell.u_lit.lit_q ,
+      \u_grid.g[2].n.u_row.c[1].n.u_cell.u_lit.lit_q , \u_grid.g[2].n.u_row.c[2].n.u_cell.u_lit.lit_q ;
   logic [7:0] occupied, lit;
   assign occupied = {
-      \u_grid.g[2].c[2].n.u_cell.u_voxels.occupied , \u_grid.g[2].c[1].n.u_cell.u_voxels.occupied ,
-      \u_grid.g[1].c[2].n.u_cell.u_voxels.occupied , \u_grid.g[1].c[1].n.u_cell.u_voxels.occupied };
+      \u_grid.g[2].n.u_row.c[2].n.u_cell.u_voxels.occupied , \u_grid.g[2].n.u_row.c[1].n.u_cell.u_voxels.occupied ,
+      \u_grid.g[1].n.u_row.c[2].n.u_cell.u_voxels.occupied , \u_grid.g[1].n.u_row.c[1].n.u_cell.u_voxels.occupied };
   assign lit = {
-      \u_grid.g[2].c[2].n.u_cell.u_lit.lit_q , \u_grid.g[2].c[1].n.u_cell.u_lit.lit_q ,
-      \u_grid.g[1].c[2].n.u_cell.u_lit.lit_q , \u_grid.g[1].c[1].n.u_cell.u_lit.lit_q };
+      \u_grid.g[2].n.u_row.c[2].n.u_cell.u_lit.lit_q , \u_grid.g[2].n.u_row.c[1].n.u_cell.u_lit.lit_q ,
+      \u_grid.g[1].n.u_row.c[2].n.u_cell.u_lit.lit_q , \u_grid.g[1].n.u_row.c[1].n.u_cell.u_lit.lit_q };
   always_comb assume (!occupied[{light.ys, light.xs, light.zs}]);
 
   localparam int unsigned WideW = rc2_pkg::TargetW + 1;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <iostream>
+#include <tuple>
 
 #include "sim/rtl_machine.h"
 #include "sw/cycle/cycle_machine.h"
@@ -83,19 +84,32 @@ class Pair {
   cycle::CycleMachine cycle_;
 };
 
+constexpr int kSizes[] = RC2_RAY_SIZES;
+
+class RayScenes : public ::testing::TestWithParam<std::tuple<int, const char*>> {};
+
+TEST_P(RayScenes, HitWhatGoldenHits) {
+  const auto [n, scene] = GetParam();
+  const std::unique_ptr<Machine> rtl = make_rtl(n);
+  Pair pair(*rtl, scene);
+  pair.compare({4, 16}, 2);
+  pair.compare({0, 1}, 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, RayScenes,
+                         ::testing::Combine(::testing::ValuesIn(kSizes),
+                                            ::testing::Values("gallery", "room", "ball:1.5",
+                                                              "dust:8:1", "empty")),
+                         [](const auto& test) {
+                           const std::string scene = std::get<1>(test.param);
+                           return "n" + std::to_string(std::get<0>(test.param)) + '_' +
+                                  scene.substr(0, scene.find(':'));
+                         });
+
 class RayMachine : public ::testing::TestWithParam<int> {
  protected:
   std::unique_ptr<Machine> rtl_ = make_rtl(GetParam());
 };
-
-TEST_P(RayMachine, HitsWhatGoldenHits) {
-  for (const char* scene : {"gallery", "room", "ball:1.5", "dust:8:1", "empty"}) {
-    SCOPED_TRACE(scene);
-    Pair pair(*rtl_, scene);
-    pair.compare({4, 16}, 2);
-    pair.compare({0, 1}, 1);
-  }
-}
 
 TEST_P(RayMachine, DoesNotBlockWhereRaysStartAnywhereInAnyDirection) {
   RayTraffic sum;
@@ -119,7 +133,6 @@ TEST_P(RayMachine, DoesNotBlockWhereRaysStartAnywhereInAnyDirection) {
   EXPECT_GT(sum.hops, 0);
 }
 
-constexpr int kSizes[] = RC2_RAY_SIZES;
 INSTANTIATE_TEST_SUITE_P(Sizes, RayMachine, ::testing::ValuesIn(kSizes));
 
 }  // namespace
