@@ -35,6 +35,7 @@ const std::map<std::string, Conflict> kConflicts = {{"head-waits", Conflict::kHe
 template <typename Value>
 std::vector<std::string> names(const std::map<std::string, Value>& values) {
   std::vector<std::string> found;
+  found.reserve(values.size());
   for (const auto& [name, value] : values) found.push_back(name);
   return found;
 }
