@@ -2,6 +2,7 @@
 // Compiled once per n into librc2_rtl_n<N>.so together with what Verilator wrote.
 #include <fmt/format.h>
 #include <verilated.h>
+#include <verilated_fst_c.h>
 
 #include <algorithm>
 #include <cstring>
@@ -15,7 +16,6 @@
 #include "sim/queue_watch.h"
 #include "sim/rtl_machine.h"
 #include "sim/wave_list.h"
-#include "sim/wave_writer.h"
 #include "sw/machine/checks.h"
 #include "sw/machine/feeder.h"
 #include "sw/machine/host_port.h"
@@ -59,7 +59,7 @@ class VerilatedMachine final : public Machine {
   }
 
   ~VerilatedMachine() override {
-    writer_.close();
+    if (tracing_) trace_.close();
     top_.final();
     hand_in_coverage(context_);
   }
@@ -226,23 +226,38 @@ class VerilatedMachine final : public Machine {
   void half(bool high) {
     top_.clk_i = high ? 1 : 0;
     top_.eval();
-    if (writer_.is_open())
-      writer_.dump(cycle_ * kWaveTimePerCycle + (high ? 0 : kWaveTimePerCycle / 2));
+    if (tracing_)
+      trace_.dump(static_cast<std::uint64_t>(cycle_ * kWaveTimePerCycle +
+                                             (high ? 0 : kWaveTimePerCycle / 2)));
   }
 
   /// One clock cycle. Inputs set before are seen by its rising edge; outputs read after are what
   /// the registers hold then.
   void tick() {
-    if (!waves_.path.empty() && cycle_ == waves_.from) writer_.open(top_, waves_.path);
+    if (!waves_.path.empty() && cycle_ == waves_.from) open_waves();
     half(true);
     half(false);
     ++cycle_;
     if (observer_ && lighting_) observer_(cycle_, queues_->depths());
-    if (cycle_ == waves_.from + waves_.cycles) writer_.close();
+    if (tracing_ && cycle_ == waves_.from + waves_.cycles) {
+      trace_.close();
+      tracing_ = false;
+    }
   }
 
   void step(int cycles) {
     for (int i = 0; i < cycles; ++i) tick();
+  }
+
+  void open_waves() {
+    context_.traceEverOn(true);
+    top_.trace(&trace_, 99);
+    trace_.open(waves_.path.c_str());
+    if (!trace_.isOpen()) {
+      throw Error(waves_.path +
+                  ": the waveform cannot be written; name a file in a folder that exists");
+    }
+    tracing_ = true;
   }
 
   MachineConfig reset_and_identify() {
@@ -419,7 +434,8 @@ class VerilatedMachine final : public Machine {
 
   VerilatedContext context_;
   Vrc2_machine top_;
-  WaveWriter writer_;
+  VerilatedFstC trace_;
+  bool tracing_ = false;
   bool waves_listed_ = false;
   bool lighting_ = false;
   QueueObserver observer_;
