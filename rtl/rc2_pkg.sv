@@ -498,7 +498,7 @@ package rc2_pkg;
 
   // What a cell says to those of the next rows (rc2_row), its reach in front, where a border says
   // nothing; and, apart, for it depends on nothing that is said, what it has room for.
-  localparam int unsigned SpokenW = ReachW + 12 + 2 * LaneW + 2 * MatrixW + 2 * LinkW;
+  localparam int unsigned SpokenW = ReachW + 8 + 2 * LaneW + 2 * MatrixW + 4 + 2 * LinkW;
   localparam int unsigned RoomW = 8 + 4 * LinkRoomW;
   localparam logic [SpokenW-1:0] Silence = SpokenW'(NoReach) << (SpokenW - ReachW);
 

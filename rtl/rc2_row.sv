@@ -62,45 +62,31 @@ module rc2_row (
   localparam int unsigned SpokenW = rc2_pkg::SpokenW;
   localparam int unsigned WeightsW = rc2_pkg::WeightsW;
 
-  // ---- What is heard from the next rows: column x is north[x+1], south[x+1] ------------------
-  for (genvar x = 0; x < N + 2; x++) begin : north
-    /*verilator tracing_off*/
-    logic [7:0] v, r;  // side lane: valid out, room out
-    rc2_pkg::lane_t s, d;  // straight, diagonal
-    logic [MatrixW-1:0] zy, zd;
-    logic [3:0] quadrants;
-    logic [ReachW-1:0] reach;
-    logic [LinkW-1:0] ray2, ray3;  // by the way that a message goes: N S
-    logic [4*LinkRoomW-1:0] ray_room;
-    /*verilator tracing_on*/
-    if (x == 0 || x == N + 1) begin : t
-      assign {reach, v, s, d, zy, zd, quadrants, ray2, ray3} = rc2_pkg::Silence;
-      assign {r, ray_room} = '0;
-    end else begin : n
-      assign {reach, v, s, d, zy, zd, quadrants, ray2, ray3} = north_i[(x-1)*SpokenW+:SpokenW];
-      assign {r, ray_room} = north_room_i[(x-1)*RoomW+:RoomW];
-    end
-  end
-  for (genvar x = 0; x < N + 2; x++) begin : south
-    /*verilator tracing_off*/
-    logic [7:0] v, r;  // side lane: valid out, room out
-    rc2_pkg::lane_t s, d;  // straight, diagonal
-    logic [MatrixW-1:0] zy, zd;
-    logic [3:0] quadrants;
-    logic [ReachW-1:0] reach;
-    logic [LinkW-1:0] ray2, ray3;  // by the way that a message goes: N S
-    logic [4*LinkRoomW-1:0] ray_room;
-    /*verilator tracing_on*/
-    if (x == 0 || x == N + 1) begin : t
-      assign {reach, v, s, d, zy, zd, quadrants, ray2, ray3} = rc2_pkg::Silence;
-      assign {r, ray_room} = '0;
-    end else begin : n
-      assign {reach, v, s, d, zy, zd, quadrants, ray2, ray3} = south_i[(x-1)*SpokenW+:SpokenW];
-      assign {r, ray_room} = south_room_i[(x-1)*RoomW+:RoomW];
+  // ---- What the rows beside say: b[0] is that to the south, b[1] that to the north; column x is
+  // c[x+1], 0 and n+1 are the border ------------------------------------------------------------
+  for (genvar k = 0; k < 2; k++) begin : b
+    for (genvar x = 0; x < N + 2; x++) begin : c
+      /*verilator tracing_off*/  // the cells' ports show the same
+      logic [7:0] v, r;  // side lane: valid out, room out
+      rc2_pkg::lane_t s, d;  // straight, diagonal
+      logic [MatrixW-1:0] zy, zd;
+      logic [3:0] quadrants;
+      logic [ReachW-1:0] reach;
+      logic [LinkW-1:0] ray2, ray3;  // by the way that a message goes: N S
+      logic [4*LinkRoomW-1:0] ray_room;
+      /*verilator tracing_on*/
+      if (x == 0 || x == N + 1) begin : t
+        assign {reach, v, s, d, zy, zd, quadrants, ray2, ray3} = rc2_pkg::Silence;
+        assign {r, ray_room} = '0;
+      end else begin : n
+        assign {reach, v, s, d, zy, zd, quadrants, ray2, ray3} =
+            (k == 0) ? south_i[(x-1)*SpokenW+:SpokenW] : north_i[(x-1)*SpokenW+:SpokenW];
+        assign {r, ray_room} = (k == 0) ? south_room_i[(x-1)*RoomW+:RoomW] : north_room_i[(x-1)*RoomW+:RoomW];
+      end
     end
   end
 
-  // ---- Cells: c[x+1] is that of column x; 0 and n+1 are the border ---------------------------
+  // ---- The cells: c[x+1] likewise -------------------------------------------------------------
   for (genvar x = 0; x < N + 2; x++) begin : c
     /*verilator tracing_off*/  // the cells' ports show the same
     logic [7:0] v, r;  // side lane: valid out, room out
@@ -162,74 +148,74 @@ module rc2_row (
           .y_kept_i    (y_kept_i),
           // What the neighbour in direction d sends in the opposite direction.
           .side_valid_i({
-            south[x+1].v[3],
-            south[x].v[2],
-            south[x-1].v[1],
+            b[0].c[x+1].v[3],
+            b[0].c[x].v[2],
+            b[0].c[x-1].v[1],
             c[x-1].v[0],
-            north[x-1].v[7],
-            north[x].v[6],
-            north[x+1].v[5],
+            b[1].c[x-1].v[7],
+            b[1].c[x].v[6],
+            b[1].c[x+1].v[5],
             c[x+1].v[4]
           }),
           .side_room_o (r),
           .side0_i     (c[x+1].s),
-          .side1_i     (north[x+1].d),
-          .side2_i     (north[x].s),
-          .side3_i     (north[x-1].d),
+          .side1_i     (b[1].c[x+1].d),
+          .side2_i     (b[1].c[x].s),
+          .side3_i     (b[1].c[x-1].d),
           .side4_i     (c[x-1].s),
-          .side5_i     (south[x-1].d),
-          .side6_i     (south[x].s),
-          .side7_i     (south[x+1].d),
+          .side5_i     (b[0].c[x-1].d),
+          .side6_i     (b[0].c[x].s),
+          .side7_i     (b[0].c[x+1].d),
           .side_valid_o(v),
           .side_room_i ({
-            south[x+1].r[3],
-            south[x].r[2],
-            south[x-1].r[1],
+            b[0].c[x+1].r[3],
+            b[0].c[x].r[2],
+            b[0].c[x-1].r[1],
             c[x-1].r[0],
-            north[x-1].r[7],
-            north[x].r[6],
-            north[x+1].r[5],
+            b[1].c[x-1].r[7],
+            b[1].c[x].r[6],
+            b[1].c[x+1].r[5],
             c[x+1].r[4]
           }),
           .straight_o  (s),
           .diagonal_o  (d),
           .z0_i        (c[x+1].zx),
-          .z1_i        (north[x+1].zd),
-          .z2_i        (north[x].zy),
-          .z3_i        (north[x-1].zd),
+          .z1_i        (b[1].c[x+1].zd),
+          .z2_i        (b[1].c[x].zy),
+          .z3_i        (b[1].c[x-1].zd),
           .z4_i        (c[x-1].zx),
-          .z5_i        (south[x-1].zd),
-          .z6_i        (south[x].zy),
-          .z7_i        (south[x+1].zd),
+          .z5_i        (b[0].c[x-1].zd),
+          .z6_i        (b[0].c[x].zy),
+          .z7_i        (b[0].c[x+1].zd),
           .z_x_o       (zx),
           .z_y_o       (zy),
           .z_xy_o      (zd),
           .quadrants_e_i({c[x+1].quadrants[3], c[x+1].quadrants[0]}),
-          .quadrants_n_i({north[x].quadrants[1], north[x].quadrants[0]}),
+          .quadrants_n_i({b[1].c[x].quadrants[1], b[1].c[x].quadrants[0]}),
           .quadrants_w_i({c[x-1].quadrants[2], c[x-1].quadrants[1]}),
-          .quadrants_s_i({south[x].quadrants[3], south[x].quadrants[2]}),
+          .quadrants_s_i({b[0].c[x].quadrants[3], b[0].c[x].quadrants[2]}),
           .quadrants_o (quadrants),
           .reach0_i    (c[x+1].reach),
-          .reach1_i    (north[x+1].reach),
-          .reach2_i    (north[x].reach),
-          .reach3_i    (north[x-1].reach),
+          .reach1_i    (b[1].c[x+1].reach),
+          .reach2_i    (b[1].c[x].reach),
+          .reach3_i    (b[1].c[x-1].reach),
           .reach4_i    (c[x-1].reach),
-          .reach5_i    (south[x-1].reach),
-          .reach6_i    (south[x].reach),
-          .reach7_i    (south[x+1].reach),
+          .reach5_i    (b[0].c[x-1].reach),
+          .reach6_i    (b[0].c[x].reach),
+          .reach7_i    (b[0].c[x+1].reach),
           .reach_o     (reach),
           .ray0_i      (c[x-1].ray0),
           .ray1_i      (c[x+1].ray1),
-          .ray2_i      (south[x].ray2),
-          .ray3_i      (north[x].ray3),
+          .ray2_i      (b[0].c[x].ray2),
+          .ray3_i      (b[1].c[x].ray3),
           .ray_room_o  (ray_room),
           .ray0_o      (ray0),
           .ray1_o      (ray1),
           .ray2_o      (ray2),
           .ray3_o      (ray3),
           .ray_room_i  ({
-            south[x].ray_room[3*LinkRoomW+:LinkRoomW],
-            north[x].ray_room[2*LinkRoomW+:LinkRoomW],
+            b[0].c[x].ray_room[3*LinkRoomW+:LinkRoomW],
+            b[1].c[x].ray_room[2*LinkRoomW+:LinkRoomW],
             c[x-1].ray_room[LinkRoomW+:LinkRoomW],
             c[x+1].ray_room[0+:LinkRoomW]
           }),

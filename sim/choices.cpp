@@ -138,7 +138,7 @@ std::string to_csv(const std::vector<Row>& rows) {
 
 }  // namespace
 
-void declare_choices(Program& program) {
+void declare_choices(Command& program) {
   auto options = std::make_shared<TableOptions>();
   options->sides = {32, 64};
   Command command = program.command(

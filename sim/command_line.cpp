@@ -82,6 +82,10 @@ Option& Option::excludes(const Option& other) {
   return *this;
 }
 
+Command Command::command(const std::string& name, const std::string& help) {
+  return {app_->add_subcommand(name, help), exit_code_};
+}
+
 template <typename Value>
 Option Command::option(const std::string& name, Value& value, const std::string& help) {
   CLI::Option* option = app_->add_option(name, value, help);
@@ -104,15 +108,11 @@ Option Command::flag(const std::string& name, bool& value, const std::string& he
 }
 
 Command Command::choice(const std::string& name) {
-  return Command(app_->add_option_group(name)->require_option(1));
+  return {app_->add_option_group(name)->require_option(1), exit_code_};
 }
 
 void Command::run(std::function<ExitCode()> action) {
   app_->callback([to = exit_code_, action = std::move(action)] { *to = action(); });
-}
-
-Command Program::command(const std::string& name, const std::string& help) {
-  return Command(app_.add_subcommand(name, help), &exit_code_);
 }
 
 }  // namespace rc2

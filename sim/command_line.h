@@ -42,14 +42,15 @@ class Option {
   CLI::Option* option_;
 };
 
+/// A program or one of its commands.
 class Command {
  public:
-  explicit Command(CLI::App* app, ExitCode* exit_code = nullptr)
-      : app_(app), exit_code_(exit_code) {}
+  /// What is done sets `exit_code`.
+  Command(CLI::App* app, ExitCode* exit_code) : app_(app), exit_code_(exit_code) {}
 
+  Command command(const std::string& name, const std::string& help);
   /// Stored in `value`, whose default --help shows unless it is empty. A name without dashes has a
-  /// place of its own. Of int, int64_t, double, string, optional<int>, optional<double> and vectors
-  /// of the first four.
+  /// place of its own. Of int, int64_t, double, string, vectors of these, and optional<int>.
   template <typename Value>
   Option option(const std::string& name, Value& value, const std::string& help);
   Option flag(const std::string& name, bool& value, const std::string& help);
@@ -61,17 +62,6 @@ class Command {
  private:
   CLI::App* app_;
   ExitCode* exit_code_;
-};
-
-class Program {
- public:
-  Program(CLI::App& app, ExitCode& exit_code) : app_(app), exit_code_(exit_code) {}
-
-  Command command(const std::string& name, const std::string& help);
-
- private:
-  CLI::App& app_;
-  ExitCode& exit_code_;
 };
 
 }  // namespace rc2

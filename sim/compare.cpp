@@ -26,7 +26,7 @@ ExitCode compare_files(const Files& files) {
 
 }  // namespace
 
-void declare_compare(Program& program) {
+void declare_compare(Command& program) {
   auto files = std::make_shared<Files>();
   Command command = program.command(
       "compare",

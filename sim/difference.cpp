@@ -199,7 +199,7 @@ ExitCode find_difference(const DifferenceOptions& options, ProgressBar& bar) {
 
 }  // namespace
 
-void declare_difference(Program& program) {
+void declare_difference(Command& program) {
   auto options = std::make_shared<DifferenceOptions>();
   Command command = program.command(
       "difference",

@@ -140,7 +140,7 @@ ExitCode measure_diffusion(const DiffusionOptions& options) {
 
 }  // namespace
 
-void declare_diffusion(Program& program) {
+void declare_diffusion(Command& program) {
   auto options = std::make_shared<DiffusionOptions>();
   Command command = program.command(
       "diffusion",

@@ -195,7 +195,7 @@ std::string to_csv(const std::vector<Row>& rows) {
 
 }  // namespace
 
-void declare_emission(Program& program) {
+void declare_emission(Command& program) {
   auto options = std::make_shared<TableOptions>();
   options->sides = {16, 32};
   Command command = program.command(

@@ -138,7 +138,7 @@ ExitCode measure_leaks(const LeakOptions& options) {
 
 }  // namespace
 
-void declare_leaks(Program& program) {
+void declare_leaks(Command& program) {
   auto options = std::make_shared<LeakOptions>();
   Command command = program.command(
       "leaks", "Counts what passes the voxels of closed meshes, by discretiser (thesis chapter 3)");

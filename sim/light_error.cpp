@@ -103,7 +103,7 @@ std::string to_csv(const std::vector<Row>& rows) {
 
 }  // namespace
 
-void declare_light_error(Program& program) {
+void declare_light_error(Command& program) {
   auto options = std::make_shared<LightErrorOptions>();
   Command command = program.command(
       "light-error", "Compares the light of the golden model with the continuous scene (Embree)");

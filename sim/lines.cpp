@@ -101,7 +101,7 @@ ExitCode draw_segment(const LineOptions& options) {
 
 }  // namespace
 
-void declare_lines(Program& program) {
+void declare_lines(Command& program) {
   auto options = std::make_shared<LineOptions>();
   Command command = program.command(
       "lines", "Draws a segment by each algorithm of thesis chapter 2 and compares their voxels");

@@ -127,7 +127,7 @@ ExitCode measure_speed(const SpeedOptions& options) {
 
 }  // namespace
 
-void declare_load_speed(Program& program) {
+void declare_load_speed(Command& program) {
   auto options = std::make_shared<SpeedOptions>();
   Command command = program.command(
       "load-speed", "Times the way from a scene to voxels on the golden machine (chapter 3)");

@@ -250,7 +250,7 @@ ExitCode measure_loading(const LoadingOptions& options) {
 
 }  // namespace
 
-void declare_loading(Program& program) {
+void declare_loading(Command& program) {
   auto options = std::make_shared<LoadingOptions>();
   Command command = program.command(
       "loading",

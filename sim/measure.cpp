@@ -30,7 +30,7 @@ ExitCode write_rows(const MeasureOptions& options) {
 
 }  // namespace
 
-void declare_measure(Program& program) {
+void declare_measure(Command& program) {
   auto options = std::make_shared<MeasureOptions>();
   Command command = program.command(
       "measure",

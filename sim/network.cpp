@@ -60,7 +60,7 @@ ExitCode make_network(const NetworkOptions& options) {
 
 }  // namespace
 
-void declare_network(Program& program) {
+void declare_network(Command& program) {
   auto options = std::make_shared<NetworkOptions>();
   Command command = program.command(
       "network",

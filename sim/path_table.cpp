@@ -31,7 +31,7 @@ void print(const PathTableOptions& options) {
 
 }  // namespace
 
-void declare_path_table(Program& program) {
+void declare_path_table(Command& program) {
   auto options = std::make_shared<PathTableOptions>();
   Command command = program.command(
       "path-table", "How large a table would be that says where beams part (4.3.2)");

@@ -190,7 +190,7 @@ ExitCode measure_peers(const StageOptions& options) {
 
 }  // namespace
 
-void declare_peers(Program& program) {
+void declare_peers(Command& program) {
   auto options = std::make_shared<StageOptions>();
   Command command = program.command(
       "peers",

@@ -52,7 +52,7 @@ ExitCode parse_and_run(int argc, const char* const* argv) {
 void declare_all(CLI::App& app, ExitCode& exit_code) {
   app.set_version_flag("--version", RC2_VERSION);
   app.require_subcommand(0, 1);
-  Program program(app, exit_code);
+  Command program(&app, &exit_code);
   declare_run(program);
   declare_voxelize(program);
   declare_compare(program);

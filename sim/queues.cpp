@@ -105,7 +105,7 @@ ExitCode draw_queues(const QueuesOptions& options) {
 
 }  // namespace
 
-void declare_queues(Program& program) {
+void declare_queues(Command& program) {
   auto options = std::make_shared<QueuesOptions>();
   Command command = program.command(
       "queues",

@@ -120,7 +120,7 @@ std::string to_csv(const std::vector<Row>& rows) {
 
 }  // namespace
 
-void declare_ray_traffic(Program& program) {
+void declare_ray_traffic(Command& program) {
   auto options = std::make_shared<RayTrafficOptions>();
   Command command = program.command(
       "ray-traffic", "Cycles that the cycle model takes to trace rays, and what holds them up");

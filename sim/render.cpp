@@ -147,7 +147,7 @@ class Renderer {
 
 }  // namespace
 
-void declare_render(Program& program) {
+void declare_render(Command& program) {
   auto options = std::make_shared<RenderOptions>();
   options->n = 128;
   options->fraction_bits = kRenderFraction;

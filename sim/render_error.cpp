@@ -180,7 +180,7 @@ std::string to_csv(const std::vector<Row>& rows) {
 
 }  // namespace
 
-void declare_render_error(Program& program) {
+void declare_render_error(Command& program) {
   auto options = std::make_shared<RenderErrorOptions>();
   Command command = program.command(
       "render-error",

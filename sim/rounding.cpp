@@ -179,7 +179,7 @@ ExitCode measure_rounding(const RoundingOptions& options) {
 
 }  // namespace
 
-void declare_rounding(Program& program) {
+void declare_rounding(Command& program) {
   auto options = std::make_shared<RoundingOptions>();
   Command command = program.command(
       "rounding", "Measures what coefficients of few bits do to a scene's voxels (chapter 3)");

@@ -40,8 +40,8 @@ endif()
 # switched on. Cells share what C++ is the same for all of them, function by function: so there are no
 # data-flow graphs and no tables, for what Verilator finds in them differs from cell to cell, and functions
 # are short. Files are long, for each reads the headers of all cells again.
-set(RC2_VERILATOR_FLAGS -Wall -O3 -fno-dfg -fno-table --output-split 80000 --output-split-cfuncs 1000)
-set(RC2_WAVES --trace-fst --trace-structs)
+set(RC2_VERILATOR_FLAGS -Wall -O3 -fno-dfg -fno-table --trace-fst --trace-structs
+                        --output-split 80000 --output-split-cfuncs 1000)
 # An assertion knows its place in the hierarchy, so that its function is not shared: only the small arrays
 # have them, and the points.
 set(RC2_ASSERTED_UP_TO 5)
@@ -51,10 +51,9 @@ if(CCACHE)
   list(APPEND RC2_VERILATED_MAKE OBJCACHE=ccache)
 endif()
 
-# With rays Verilator has 6 GB of an array of n = 16, and more than 40 of one of n = 32. From this size on they are
-# Verilated by rows: one row once, as a library of which the array makes n calls. That takes a minute and runs at
-# a quarter of the speed; there are no waves.
-set(RC2_BY_ROWS_FROM 32)
+# Verilator has a copy of every cell while it works, of one with rays 23 MB. From this size on they are Verilated
+# by rows: one row once, as a library of which the array makes n calls. That is slower to run, and waves show no cells.
+set(RC2_BY_ROWS_FROM 32 CACHE STRING "Smallest size of which arrays with rays are Verilated by rows")
 file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/rtl/rows.vlt CONTENT [[
 `verilator_config
 hier_block -module "rc2_row"
@@ -83,7 +82,7 @@ function(rc2_add_rtl name n)
   if(name MATCHES "^flat_")
     list(TRANSFORM rules REPLACE ".*/rc2.vlt" ${CMAKE_BINARY_DIR}/rtl/flat.vlt)
   endif()
-  set(how ${RC2_WAVES})
+  set(how)
   set(makefile Vrc2_machine.mk)
   if(name MATCHES "^rays_" AND n GREATER_EQUAL RC2_BY_ROWS_FROM)
     # To the array a row is one function of all that enters it: loops everywhere.
@@ -105,7 +104,7 @@ function(rc2_add_rtl name n)
     DEPENDS ${RC2_RTL_SOURCES} ${RC2_RTL_RULES} ${RC2_VERILATED_GLUE}
             ${PROJECT_SOURCE_DIR}/sw/machine/host_port.h ${PROJECT_SOURCE_DIR}/sw/machine/host_word.h ${PROJECT_SOURCE_DIR}/sw/machine/plane.h ${PROJECT_SOURCE_DIR}/sw/machine/readback.h
             ${PROJECT_SOURCE_DIR}/sim/coverage.h ${PROJECT_SOURCE_DIR}/sim/rtl_machine.h ${RC2_RTL_POINTS}
-            ${PROJECT_SOURCE_DIR}/sim/queue_watch.h ${PROJECT_SOURCE_DIR}/sim/wave_list.h ${PROJECT_SOURCE_DIR}/sim/wave_writer.h
+            ${PROJECT_SOURCE_DIR}/sim/queue_watch.h ${PROJECT_SOURCE_DIR}/sim/wave_list.h
             ${PROJECT_SOURCE_DIR}/sw/machine/machine.h ${PROJECT_SOURCE_DIR}/sw/machine/queue_history.h ${PROJECT_SOURCE_DIR}/sw/machine/claim.h
             ${PROJECT_SOURCE_DIR}/sw/machine/checks.h ${PROJECT_SOURCE_DIR}/sw/machine/feeder.h ${PROJECT_SOURCE_DIR}/sw/machine/word.h
             ${PROJECT_SOURCE_DIR}/sw/machine/ray_job.h ${PROJECT_SOURCE_DIR}/sw/machine/ray_words.h ${PROJECT_SOURCE_DIR}/sw/rays/format.h ${PROJECT_SOURCE_DIR}/sw/rays/ray.h

@@ -133,7 +133,7 @@ ExitCode run(RunOptions options) {
 
 }  // namespace
 
-void declare_run(Program& program) {
+void declare_run(Command& program) {
   auto options = std::make_shared<RunOptions>();
   Command command = program.command(
       "run",

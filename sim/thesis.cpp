@@ -109,7 +109,7 @@ void write_snapshots(const ThesisOptions& options) {
 
 }  // namespace
 
-void declare_thesis(Program& program) {
+void declare_thesis(Command& program) {
   auto options = std::make_shared<ThesisOptions>();
   Command command = program.command(
       "thesis", "Repeats the simulations of the thesis (4.4.3) on its own coarse simulator");

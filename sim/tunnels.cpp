@@ -127,7 +127,7 @@ ExitCode print_tunnels() {
 
 }  // namespace
 
-void declare_tunnels(Program& program) {
+void declare_tunnels(Command& program) {
   Command command = program.command(
       "tunnels", "Searches which discrete rays pass which surfaces: thesis figures 2.9 and 2.11");
   command.run([] { return print_tunnels(); });

@@ -190,7 +190,7 @@ std::string to_csv(const std::vector<Row>& rows, const std::vector<int>& sides) 
 
 }  // namespace
 
-void declare_virtual_image(Program& program) {
+void declare_virtual_image(Command& program) {
   struct Options {
     std::vector<int> sides = {24, 48, 96};
     std::string out;

@@ -82,7 +82,7 @@ ExitCode voxelize(VoxelizeOptions options) {
 
 }  // namespace
 
-void declare_voxelize(Program& program) {
+void declare_voxelize(Command& program) {
   auto options = std::make_shared<VoxelizeOptions>();
   Command command =
       program.command("voxelize", "Loads a scene without lighting it and counts its voxels");

@@ -55,7 +55,7 @@ ExitCode walk(SceneOptions options) {
 
 }  // namespace
 
-void declare_walk(Program& program) {
+void declare_walk(Command& program) {
   auto options = std::make_shared<SceneOptions>();
   Command command = program.command(
       "walk", "Follows the words of a few facets through the array while it loads (chapter 3)");

@@ -18,7 +18,7 @@
 namespace rc2 {
 namespace {
 
-int render(RunOptions& options) {
+ExitCode render(RunOptions& options) {
   check_options(options);
   const Job job = prepare(options, options.rule_of_light() == LightRule::accurate);
   Lamps lamps = choose_lamps(options.lights, job.scene, options.n);
@@ -69,12 +69,14 @@ int sc_main(int argc, char** argv) {
   };
   sc_core::sc_report_handler::set_actions(sc_core::SC_INFO, sc_core::SC_DO_NOTHING);
   rc2::RunOptions options;
+  auto exit_code = rc2::kDone;
   CLI::App program("RC2 behind a TLM-2.0 target in a small virtual platform: what `rc2 run` does");
-  rc2::Command command(&program);
+  rc2::Command command(&program, &exit_code);
   rc2::declare_run_options(command, options);
+  command.run([&] { return rc2::render(options); });
   try {
     program.parse(argc, argv);
-    return rc2::render(options);
+    return exit_code;
   } catch (const CLI::Success& help) {
     return program.exit(help);
   } catch (const CLI::ParseError& error) {
