@@ -127,7 +127,7 @@ build-sanitize/build.ninja: | setup
 	cmake --log-level=NOTICE -S . -B build-sanitize -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo -DRC2_SANITIZE=ON
 
 build-coverage/build.ninja: | setup
-	cmake --log-level=NOTICE -S . -B build-coverage -G Ninja -DCMAKE_BUILD_TYPE=Release -DRC2_COVERAGE=ON '-DRC2_TESTED_SIZES=4;5'
+	cmake --log-level=NOTICE -S . -B build-coverage -G Ninja -DCMAKE_BUILD_TYPE=Release -DRC2_COVERAGE=ON '-DRC2_TESTED_ARRAYS=n4;thesis_n4;whole_n4;n5;thesis_n5;lit_n8'
 
 build: build/build.ninja
 	$(cmake_build) rc2

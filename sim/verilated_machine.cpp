@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstring>
 #include <stdexcept>
+#include <string_view>
 #include <tuple>
 #include <type_traits>
 #include <vector>
@@ -31,7 +32,7 @@ using namespace host_port;
 
 // The array reports itself busy a few cycles late (rc2_array); nothing starts within that time.
 constexpr int kBusyDelay = 8;
-// Cycles without any target coming home after which a light is taken to hang.
+// Cycles in which nothing comes that the host waits for, after which the array is taken to block.
 constexpr std::int64_t kPatience = 1'000'000;
 
 // Puts a word into the pins of its feeder, which begin at byte `at`; the bytes are little-endian.
@@ -123,10 +124,8 @@ class VerilatedMachine final : public Machine {
       const std::int64_t now = read_register(kHome);
       if (now != home) home_since = cycle_;
       home = now;
-      if (cycle_ - home_since > kPatience) {
-        throw std::logic_error(
-            fmt::format("the light hangs: {} of {} targets came home", home, result.targets.total));
-      }
+      lose_patience(home_since,
+                    fmt::format("{} of {} targets came home", home, result.targets.total));
       if (progress) {
         progress("light", read_register(kBusyCycles),
                  static_cast<double>(home) / static_cast<double>(result.targets.total));
@@ -197,7 +196,7 @@ class VerilatedMachine final : public Machine {
     step(kBusyDelay);
     while ((read_register(kStatus) & kStatusBusy) != 0) {
       step(64);
-      if (cycle_ - start > longest) throw std::logic_error("the array blocks: rays do not end");
+      lose_patience(start, "rays do not end", longest);
       if (progress) progress("rays", cycle_ - start, 0.5);
     }
     result.traffic.cycles = read_register(kBusyCycles);
@@ -315,9 +314,15 @@ class VerilatedMachine final : public Machine {
   }
 
   void wait_until_idle() {
+    const std::int64_t since = cycle_;
     step(kBusyDelay);
-    while ((read_register(kStatus) & kStatusBusy) != 0) {
-    }
+    while ((read_register(kStatus) & kStatusBusy) != 0) lose_patience(since, "it stays busy");
+  }
+
+  void lose_patience(std::int64_t since, std::string_view what,
+                     std::int64_t cycles = kPatience) const {
+    if (cycle_ - since > cycles)
+      throw std::logic_error(fmt::format("rtl/rc2_machine.sv: the array blocks: {}", what));
   }
 
   // ---- AXI4-Stream -------------------------------------------------------------------------
@@ -334,11 +339,14 @@ class VerilatedMachine final : public Machine {
       valid |= std::uint64_t{1} << k;
     };
     for (std::size_t k = 0; k < feeders; ++k) offer(k);
+    std::int64_t since = cycle_;
     while (valid != 0) {
       top_.s_axis_tvalid =
           static_cast<std::remove_reference_t<decltype(top_.s_axis_tvalid)>>(valid);
       const std::uint64_t taken = valid & top_.s_axis_tready;
       tick();
+      if (taken != 0) since = cycle_;
+      lose_patience(since, "it takes no word");
       valid &= ~taken;
       for (std::size_t k = 0; k < feeders; ++k) {
         if ((taken >> k & 1U) != 0) offer(k);
@@ -413,8 +421,11 @@ class VerilatedMachine final : public Machine {
     top_.m_axis_tready = 1;
     int cell = 0;
     bool ended = false;
+    std::int64_t since = cycle_;
     while (!ended) {
+      lose_patience(since, "a cell is not read back");
       if (top_.m_axis_tvalid != 0) {
+        since = cycle_;
         ended = top_.m_axis_tlast != 0;
         if (!ended) {
           const auto word = unpack_readback(format_, top_.m_axis_tdata);
